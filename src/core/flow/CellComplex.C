@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "core/flow/CellComplex.H"
+
+#include "core/Errors.H"
+
+#include <algorithm>
+#include <string>
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+// Area-weighted centre and area vector of a polygon: triangles around the mean of
+// its points, as OpenFOAM's primitiveMesh.
+void faceGeometry(const face& f, const pointField& points, point& centre, vector& area)
+{
+    point mean(Zero);
+    for (const label pointi : f)
+    {
+        mean += points[pointi];
+    }
+    mean /= f.size();
+
+    vector sum(Zero);
+    for (label i = 0; i < f.size(); ++i)
+    {
+        sum += 0.5 * ((points[f[i]] - mean) ^ (points[f[f.fcIndex(i)]] - mean));
+    }
+    area = sum;
+
+    const vector direction = sum / max(mag(sum), VSMALL);
+    scalar weight = 0;
+    vector moment(Zero);
+    for (label i = 0; i < f.size(); ++i)
+    {
+        const point& a = points[f[i]];
+        const point& b = points[f[f.fcIndex(i)]];
+        const scalar part = 0.5 * (((a - mean) ^ (b - mean)) & direction);
+        weight += part;
+        moment += part * (a + b - 2 * mean) / 3;
+    }
+    centre = weight > VSMALL ? mean + moment / weight : mean;
+}
+
+// Volume of a tetrahedron over the cube of its longest edge at `apex`: 0 if flat,
+// negative if the triangle is seen from behind.
+scalar tetQuality(const point& apex, const point& a, const point& b, const point& c)
+{
+    const vector da = a - apex;
+    const vector db = b - apex;
+    const vector dc = c - apex;
+    const scalar longest = std::sqrt(max(max(magSqr(da), magSqr(db)), magSqr(dc)));
+    return ((da ^ db) & dc) / max(pow3(longest), VSMALL);
+}
+
+} // namespace
+
+CellComplex::CellComplex(CellComplexInput input) : input_(std::move(input))
+{
+    if (input_.owner.empty())
+    {
+        throw BadInput("The mesh has no cells: nothing can be analysed on it.");
+    }
+    computeAddressing();
+    computeFaces();
+    computeCells();
+    chooseTetBases();
+    binCells();
+}
+
+void CellComplex::computeAddressing()
+{
+    const label nCells = max(input_.owner) + 1;
+    cellCentres_.setSize(nCells);
+
+    cellFaces_ = Rows(
+        nCells,
+        [&](const auto& add)
+        {
+            for (label facei = 0; facei < nFaces(); ++facei)
+            {
+                add(owner()[facei], facei);
+                if (facei < nInternalFaces())
+                {
+                    add(neighbour()[facei], facei);
+                }
+            }
+        }
+    );
+
+    pointCells_ = Rows(
+        nPoints(),
+        [&](const auto& add)
+        {
+            labelList lastCell(nPoints(), -1);
+            for (label celli = 0; celli < nCells; ++celli)
+            {
+                for (const label facei : cellFaces_[celli])
+                {
+                    for (const label pointi : faces()[facei])
+                    {
+                        if (lastCell[pointi] != celli)
+                        {
+                            lastCell[pointi] = celli;
+                            add(pointi, celli);
+                        }
+                    }
+                }
+            }
+        }
+    );
+
+    nearWall_.setSize(nCells, false);
+    pointBoundaryFaces_ = Rows(
+        nPoints(),
+        [&](const auto& add)
+        {
+            for (label facei = nInternalFaces(); facei < nFaces(); ++facei)
+            {
+                for (const label pointi : faces()[facei])
+                {
+                    add(pointi, facei);
+                }
+            }
+        }
+    );
+    for (label i = 0; i < nBoundaryFaces(); ++i)
+    {
+        if (kinds()[i] == BoundaryKind::wall)
+        {
+            nearWall_[owner()[nInternalFaces() + i]] = true;
+        }
+    }
+}
+
+void CellComplex::computeFaces()
+{
+    faceCentres_.setSize(nFaces());
+    faceAreas_.setSize(nFaces());
+    for (label facei = 0; facei < nFaces(); ++facei)
+    {
+        faceGeometry(faces()[facei], points(), faceCentres_[facei], faceAreas_[facei]);
+    }
+}
+
+void CellComplex::computeCells()
+{
+    cellVolumes_.setSize(nCells());
+    cellSizes_.setSize(nCells());
+    for (label celli = 0; celli < nCells(); ++celli)
+    {
+        const auto& cellFaces = cellFaces_[celli];
+        point estimate(Zero);
+        for (const label facei : cellFaces)
+        {
+            estimate += faceCentres_[facei];
+        }
+        estimate /= cellFaces.size();
+
+        scalar volume = 0;
+        vector moment(Zero);
+        for (const label facei : cellFaces)
+        {
+            const vector outward =
+                owner()[facei] == celli ? faceAreas_[facei] : -faceAreas_[facei];
+            const vector arm = faceCentres_[facei] - estimate;
+            const scalar pyramid = (outward & arm) / 3;
+            volume += pyramid;
+            moment += pyramid * 0.75 * arm;
+        }
+        if (!(volume > VSMALL))
+        {
+            throw NumericalFailure(
+                "Cell " + std::to_string(celli) + " of the mesh has the volume "
+                + std::to_string(volume) + " m3: run checkMesh."
+            );
+        }
+        cellVolumes_[celli] = volume;
+        cellSizes_[celli] = std::cbrt(volume);
+        cellCentres_[celli] = estimate + moment / volume;
+    }
+}
+
+void CellComplex::chooseTetBases()
+{
+    tetBase_.setSize(nFaces(), 0);
+    for (label facei = 0; facei < nFaces(); ++facei)
+    {
+        const face& f = faces()[facei];
+        scalar best = -GREAT;
+        for (label base = 0; f.size() > 3 && base < f.size(); ++base)
+        {
+            scalar worst = GREAT;
+            for (label k = 1; k + 1 < f.size(); ++k)
+            {
+                const point& a = points()[f[base]];
+                const point& b = points()[f[(base + k) % f.size()]];
+                const point& c = points()[f[(base + k + 1) % f.size()]];
+                worst = min(worst, tetQuality(cellCentres_[owner()[facei]], a, b, c));
+                if (facei < nInternalFaces())
+                {
+                    const point& other = cellCentres_[neighbour()[facei]];
+                    worst = min(worst, tetQuality(other, a, c, b));
+                }
+            }
+            // A later point must be clearly better, so that round-off decides nothing.
+            if (worst > best + 1e-6)
+            {
+                best = worst;
+                tetBase_[facei] = base;
+            }
+        }
+    }
+}
+
+bool CellComplex::holds(label celli, const point& x) const
+{
+    for (const label facei : cellFaces_[celli])
+    {
+        const scalar side = (x - faceCentres_[facei]) & faceAreas_[facei];
+        if ((owner()[facei] == celli ? side : -side) > 0)
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+namespace
+{
+
+// The bin of a position along each direction of a grid over a box.
+Vector<label> binOf(const point& x, const boundBox& box, const Vector<label>& n)
+{
+    Vector<label> bin(0, 0, 0);
+    for (direction d = 0; d < 3; ++d)
+    {
+        const scalar length = max(box.span()[d], VSMALL);
+        const scalar position = (x[d] - box.min()[d]) / length;
+        bin[d] = label(max(scalar(0), min(position, scalar(1))) * n[d]);
+        bin[d] = min(bin[d], n[d] - 1);
+    }
+    return bin;
+}
+
+} // namespace
+
+void CellComplex::binCells()
+{
+    bounds_ = boundBox(points(), false);
+    const scalar volume = max(sum(cellVolumes_), VSMALL);
+    const scalar spacing = 2 * std::cbrt(volume / nCells());
+    for (direction d = 0; d < 3; ++d)
+    {
+        nBins_[d] = max(label(1), min(label(256), label(bounds_.span()[d] / spacing)));
+    }
+
+    const auto visit = [&](const auto& add)
+    {
+        for (label celli = 0; celli < nCells(); ++celli)
+        {
+            boundBox box;
+            for (const label facei : cellFaces_[celli])
+            {
+                for (const label pointi : faces()[facei])
+                {
+                    box.add(points()[pointi]);
+                }
+            }
+            const Vector<label> low = binOf(box.min(), bounds_, nBins_);
+            const Vector<label> high = binOf(box.max(), bounds_, nBins_);
+            for (label k = low.z(); k <= high.z(); ++k)
+            {
+                for (label j = low.y(); j <= high.y(); ++j)
+                {
+                    for (label i = low.x(); i <= high.x(); ++i)
+                    {
+                        add(i + nBins_.x() * (j + nBins_.y() * k), celli);
+                    }
+                }
+            }
+        }
+    };
+    bins_ = Rows(nBins_.x() * nBins_.y() * nBins_.z(), visit);
+}
+
+label CellComplex::findCell(const point& x) const
+{
+    const Vector<label> bin = binOf(x, bounds_, nBins_);
+    const label index = bin.x() + nBins_.x() * (bin.y() + nBins_.y() * bin.z());
+    for (const label celli : bins_[index])
+    {
+        if (holds(celli, x))
+        {
+            return celli;
+        }
+    }
+    label nearest = 0;
+    for (label celli = 1; celli < nCells(); ++celli)
+    {
+        if (magSqr(x - cellCentres_[celli]) < magSqr(x - cellCentres_[nearest]))
+        {
+            nearest = celli;
+        }
+    }
+    return nearest;
+}
+
+} // namespace Foam::stability

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "core/flow/FlowSnapshot.H"
+
+#include "core/Errors.H"
+
+#include <cmath>
+#include <string>
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+constexpr scalar lowestAlpha = -0.1;
+constexpr scalar highestAlpha = 1.1;
+
+void checkSize(const std::string& name, label size, label wanted)
+{
+    if (size != wanted)
+    {
+        throw BadInput(
+            name + " has " + std::to_string(size) + " values, the mesh has "
+            + std::to_string(wanted) + "."
+        );
+    }
+}
+
+void checkAlpha(const std::string& name, const scalarField& values, label wanted)
+{
+    checkSize(name, values.size(), wanted);
+    forAll(values, i)
+    {
+        const scalar value = values[i];
+        if (!std::isfinite(value))
+        {
+            throw BadInput(name + " is not finite at index " + std::to_string(i) + ".");
+        }
+        if (value < lowestAlpha || value > highestAlpha)
+        {
+            throw BadInput(
+                name + " is " + std::to_string(value) + " at index " + std::to_string(i)
+                + "; allowed is 0 to 1, by 0.1 more or less."
+            );
+        }
+    }
+}
+
+void checkVelocity(const std::string& name, const vectorField& values, label wanted)
+{
+    checkSize(name, values.size(), wanted);
+    forAll(values, i)
+    {
+        const vector& U = values[i];
+        if (!std::isfinite(U.x()) || !std::isfinite(U.y()) || !std::isfinite(U.z()))
+        {
+            throw BadInput(name + " is not finite at index " + std::to_string(i) + ".");
+        }
+    }
+}
+
+} // namespace
+
+void FlowSnapshot::check() const
+{
+    const label nCells = complex->nCells();
+    const label nBoundary = complex->nBoundaryFaces();
+    if (alphas.empty() || alphas.size() != boundaryAlphas.size())
+    {
+        throw BadInput(
+            "A snapshot needs a volume fraction in cells and on the boundary."
+        );
+    }
+    forAll(alphas, i)
+    {
+        checkAlpha("The volume fraction in the cells", alphas[i], nCells);
+        checkAlpha("The volume fraction on the boundary", boundaryAlphas[i], nBoundary);
+    }
+    checkVelocity("The velocity in the cells", U, nCells);
+    checkVelocity("The velocity on the boundary", boundaryU, nBoundary);
+}
+
+} // namespace Foam::stability
