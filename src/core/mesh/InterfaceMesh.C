@@ -11,7 +11,7 @@ scalarField InterfaceMesh::pointAreas() const
     scalarField areas(points.size(), 0);
     forAll(triangles, trianglei)
     {
-        const scalar third = mag(areaVector(trianglei))/3;
+        const scalar third = mag(areaVector(trianglei)) / 3;
         for (const label pointi : triangles[trianglei])
         {
             areas[pointi] += third;
@@ -33,7 +33,7 @@ vectorField InterfaceMesh::pointNormals() const
     for (vector& n : normals)
     {
         const scalar length = mag(n);
-        n = length > VSMALL ? n/length : vector(Zero);
+        n = length > VSMALL ? n / length : vector(Zero);
     }
     return normals;
 }
