@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "core/analysis/Statistics.H"
+
+#include <sstream>
+
+namespace Foam::stability
+{
+
+std::vector<std::string> Statistics::columns()
+{
+    return {
+        "Time",
+        "vertices",
+        "triangles",
+        "area",
+        "stableArea",
+        "attachedArea",
+        "detachedNearWalls",
+        "detachedElsewhere",
+        "leftArea",
+        "stableFraction",
+        "coverage",
+        "particles",
+        "mergedTriangles",
+        "splitTriangles",
+        "volumeError",
+        "epsilon",
+        "displacement",
+        "epsilonPerInterval",
+    };
+}
+
+std::vector<scalar> Statistics::values() const
+{
+    return {
+        time,
+        scalar(nVertices),
+        scalar(nTriangles),
+        area,
+        stableArea,
+        attachedArea,
+        detachedNearWall,
+        detachedElsewhere,
+        leftArea,
+        stableFraction(),
+        coverage(),
+        scalar(nParticles),
+        scalar(nMerged),
+        scalar(nSplit),
+        volumeError,
+        epsilon,
+        displacement,
+        drift(),
+    };
+}
+
+std::vector<std::string> Statistics::survivalColumns()
+{
+    std::vector<std::string> names{"Time"};
+    for (const std::string side : {"detached", "attached"})
+    {
+        for (const scalar distance : survivalDistances)
+        {
+            std::ostringstream name;
+            name << side << "(" << distance << ")";
+            names.push_back(name.str());
+        }
+    }
+    return names;
+}
+
+std::vector<scalar> Statistics::survivalValues() const
+{
+    std::vector<scalar> result{time};
+    result.insert(result.end(), detachedFraction.begin(), detachedFraction.end());
+    result.insert(result.end(), attachedFraction.begin(), attachedFraction.end());
+    return result;
+}
+
+namespace
+{
+
+// Fractions of the area of the points farther than each distance, in cells.
+void fillSurvival(
+    std::array<scalar, 8>& fractions, const ClassifiedSurface& surface,
+    const scalarField& areas, scalar total
+)
+{
+    fractions.fill(0);
+    forAll(areas, pointi)
+    {
+        const scalar cells =
+            surface.distance[pointi] / max(surface.mesh.cellSizes[pointi], VSMALL);
+        for (size_t i = 0; i < fractions.size(); ++i)
+        {
+            if (cells >= Statistics::survivalDistances[i] && total > 0)
+            {
+                fractions[i] += areas[pointi] / total;
+            }
+        }
+    }
+}
+
+} // namespace
+
+void survey(
+    Statistics& statistics, const ClassifiedSurface& interface,
+    const ClassifiedSurface& timeSurface, const Epsilon& epsilon
+)
+{
+    const InterfaceMesh& mesh = interface.mesh;
+    const scalarField areas(mesh.pointAreas());
+    statistics.nVertices = mesh.points.size();
+    statistics.nTriangles = mesh.triangles.size();
+    statistics.area = mesh.area();
+    scalar epsilonArea = 0;
+    forAll(areas, pointi)
+    {
+        const bool stable = interface.stability[pointi] == Stability::stable;
+        (stable ? statistics.stableArea : statistics.attachedArea) += areas[pointi];
+        epsilonArea += epsilon.at(mesh.cellSizes[pointi]) * areas[pointi];
+    }
+    statistics.epsilon = statistics.area > 0 ? epsilonArea / statistics.area : 0;
+    forAll(mesh.triangles, trianglei)
+    {
+        if (mesh.parametrized(trianglei))
+        {
+            statistics.parametrizedArea += mag(mesh.areaVector(trianglei));
+        }
+    }
+    fillSurvival(statistics.attachedFraction, interface, areas, statistics.area);
+
+    scalarField timeAreas(timeSurface.mesh.pointAreas());
+    forAll(timeAreas, pointi)
+    {
+        scalar& area = timeAreas[pointi];
+        if (timeSurface.stability[pointi] == Stability::left)
+        {
+            statistics.leftArea += area;
+            area = 0;
+        }
+        statistics.timeSurfaceArea += area;
+        if (timeSurface.stability[pointi] == Stability::detached)
+        {
+            (timeSurface.nearWall[pointi] ? statistics.detachedNearWall
+                                          : statistics.detachedElsewhere) += area;
+        }
+    }
+    fillSurvival(
+        statistics.detachedFraction, timeSurface, timeAreas, statistics.timeSurfaceArea
+    );
+}
+
+void surveyDisplacement(
+    Statistics& statistics, const InterfaceMesh& timeSurface, const pointField& seeds
+)
+{
+    const scalarField areas(timeSurface.pointAreas());
+    scalar squares = 0;
+    scalar total = 0;
+    forAll(areas, pointi)
+    {
+        const scalar cells = mag(timeSurface.points[pointi] - seeds[pointi])
+                             / max(timeSurface.cellSizes[pointi], VSMALL);
+        squares += areas[pointi] * sqr(cells);
+        total += areas[pointi];
+        statistics.largestDisplacement = max(statistics.largestDisplacement, cells);
+    }
+    statistics.displacement = total > 0 ? std::sqrt(squares / total) : 0;
+}
+
+} // namespace Foam::stability

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "core/tracking/ClassifiedSurface.H"
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+labelList pointComponents(const InterfaceMesh& mesh)
+{
+    const SurfaceTopology topology(mesh.points.size(), mesh.triangles);
+    labelList result(mesh.points.size(), 0);
+    forAll(mesh.triangles, trianglei)
+    {
+        for (const label pointi : mesh.triangles[trianglei])
+        {
+            result[pointi] = topology.components()[trianglei];
+        }
+    }
+    return result;
+}
+
+} // namespace
+
+ClassifiedSurface describe(
+    const InterfaceMesh& mesh, const UList<Match>& matches, Stability unmatched,
+    const CellComplex& complex
+)
+{
+    const label n = mesh.points.size();
+    ClassifiedSurface surface;
+    surface.mesh = mesh;
+    surface.stability.setSize(n);
+    surface.distance.setSize(n);
+    surface.preimages.setSize(n);
+    surface.nearWall.setSize(n);
+    surface.components = pointComponents(mesh);
+    for (label i = 0; i < n; ++i)
+    {
+        surface.stability[i] = matches[i].stable ? Stability::stable : unmatched;
+        surface.distance[i] = matches[i].nearest.distance;
+        surface.preimages[i] = matches[i].nPreimages;
+        surface.nearWall[i] = mesh.cells[i] >= 0 && complex.nearWall(mesh.cells[i]);
+    }
+    return surface;
+}
+
+} // namespace Foam::stability
