@@ -95,7 +95,9 @@ void fillSurvival(
             surface.distance[pointi] / max(surface.mesh.cellSizes[pointi], VSMALL);
         for (size_t i = 0; i < fractions.size(); ++i)
         {
-            if (cells >= Statistics::survivalDistances[i] && total > 0)
+            // A distance that was cut off at so many cells counts, round-off or not.
+            const scalar limit = Statistics::survivalDistances[i]*(1 - 1e-12);
+            if (cells >= limit && total > 0)
             {
                 fractions[i] += areas[pointi] / total;
             }
