@@ -21,8 +21,8 @@ InterfaceMesh sheet(const CellComplex& complex, label n)
     {
         for (label i = 0; i < n; ++i)
         {
-            const scalar x = 0.1 + 0.7 * std::pow(scalar(i) / (n - 1), 1.3);
-            const scalar y = 0.2 + 0.6 * scalar(j) / (n - 1);
+            const scalar x = 0.1 + 0.68 * std::pow(scalar(i) / (n - 1), 1.3);
+            const scalar y = 0.23 + 0.5 * scalar(j) / (n - 1);
             mesh.points[i + n * j] = point(x, y, 0.63);
         }
     }
@@ -80,7 +80,7 @@ TEST(InstabilityParticles, weightsOfADetachedSheetAddUpToItsArea)
             mesh, List<bool>(n * n, true), labelList(n * n, 3), *complex, 0.25
         );
         EXPECT_EQ(particles.size(), n * n + 2 * (n - 1) * (n - 1));
-        EXPECT_NEAR(totalWeight(particles), 0.7 * 0.6, 1e-14);
+        EXPECT_NEAR(totalWeight(particles), 0.68 * 0.5, 1e-14);
     }
 }
 
