@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+/*---------------------------------------------------------------------------*\
+Application
+    interfaceStability
+
+Group
+    grpPostProcessingUtilities
+
+Description
+    Follows the material interface of a finished volume-of-fluid run with the flow,
+    from one stored time to the next, and tells where it stays an interface
+    (stable), where it detaches from the flow (detached) and where new interface
+    comes from nowhere (attached). After Obermaier, Chen, Hagen, Joy:
+    Visualization of material interface stability.
+
+Usage
+    \b interfaceStability [OPTION]
+
+      - \par -dict \<file\>
+        Dictionary other than system/interfaceStabilityDict, which may be absent:
+        every entry has a default. It is explained, entry by entry, in
+        etc/caseDicts/interfaceStabilityDict.
+
+      - \par -region \<name\>
+        Mesh region other than the default one, or that of the dictionary.
+
+      - \par -time \<ranges\>, -latestTime, -noZero
+        Times to analyse, by default all; at least two.
+
+    The results are in postProcessing/interfaceStability/\<startTime\>: surfaces and
+    particles as VTK files, each family with a .vtp.series for ParaView, and tables
+    stability.dat, survival.dat and timing.dat.
+
+    Serial, on static meshes without cyclic, empty or wedge patches.
+
+\*---------------------------------------------------------------------------*/
+
+#include "argList.H"
+#include "foam/AnalysisSession.H"
+#include "foam/Failures.H"
+#include "fvMesh.H"
+#include "timeSelector.H"
+
+#include <optional>
+
+using namespace Foam;
+
+int main(int argc, char* argv[])
+{
+    argList::addNote(
+        "Follow the material interface of a volume-of-fluid run with the flow and\n"
+        "tell where it is stable, detached or attached.\n"
+        "Reads system/interfaceStabilityDict if it is there, the volume fraction and\n"
+        "U of the selected times; writes to postProcessing/interfaceStability."
+    );
+    argList::noParallel();
+    timeSelector::addOptions(false, false);
+#include "addDictOption.H"
+#include "addRegionOption.H"
+#include "setRootCase.H"
+#include "createTime.H"
+
+    const instantList times(
+        timeSelector::select(runTime.times(), args, runTime.constant())
+    );
+    if (!times.empty())
+    {
+        runTime.setTime(times.first(), 0);
+    }
+
+    const dictionary dict(stability::findControlsDict(
+        runTime, args.get<fileName>("dict", ""), args.get<word>("region", "")
+    ));
+    const stability::Controls controls(
+        stability::readControls(dict, stability::Shell::utility)
+    );
+    const word region(args.get<word>(
+        "region", dict.getOrDefault<word>("region", polyMesh::defaultRegion)
+    ));
+    fvMesh mesh(IOobject(region, runTime.timeName(), runTime, IOobject::MUST_READ));
+
+    std::optional<stability::AnalysisSession> session;
+    stability::exitOnFailure(
+        [&]
+        {
+            session.emplace(mesh, controls, "interfaceStability");
+            session->expect(times);
+        }
+    );
+    forAll(times, timei)
+    {
+        runTime.setTime(times[timei], timei);
+        if (mesh.readUpdate() != polyMesh::UNCHANGED)
+        {
+            session->meshChanged();
+        }
+        stability::exitOnFailure(
+            [&]
+            {
+                session->advance();
+                session->classify();
+            }
+        );
+    }
+
+    Info << "End\n" << endl;
+    return 0;
+}

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "Scene.H"
+
+#include "Camera.H"
+#include "Colours.H"
+#include "Messages.H"
+#include "Surface.H"
+#include "Surroundings.H"
+
+#include "vtk/FileReplacement.H"
+
+#include <vtkImageData.h>
+#include <vtkImageShrink3D.h>
+#include <vtkLight.h>
+#include <vtkPNGWriter.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkWindowToImageFilter.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+// Depth peeling excludes multisampling: drawn larger and averaged instead.
+constexpr int oversampling = 2;
+// The legend keeps its shape; it takes what it needs of a wide picture, not more.
+int legendWidth(const std::array<int, 2>& size)
+{
+    return int(std::min(0.22 * size[0], 0.294 * size[1]));
+}
+
+constexpr double lineWidth = 1.2; // [pixels]
+constexpr int nPeels = 12;        // each from the front and from the back
+
+// A file that cannot be read is told of when it is asked for.
+void addBounds(vtkBoundingBox& box, const std::filesystem::path& file)
+{
+    try
+    {
+        const auto surface = readSurface(file);
+        if (surface->GetNumberOfPoints() > 0)
+        {
+            box.AddBounds(surface->GetBounds());
+        }
+    }
+    catch (const std::runtime_error&)
+    {
+        return;
+    }
+}
+
+// Everything in the run, for a camera that does not depend on the time.
+vtkBoundingBox boxOfResults(const ResultFiles& results)
+{
+    vtkBoundingBox box;
+    for (const Frame& frame : results.frames())
+    {
+        addBounds(box, frame.interface);
+        if (!frame.particles.empty())
+        {
+            addBounds(box, frame.particles);
+        }
+    }
+    if (!box.IsValid() || !(box.GetDiagonalLength() > 0))
+    {
+        box.SetBounds(0, 1, 0, 1, 0, 1);
+    }
+    return box;
+}
+
+vtkVector3d upwards(const std::string& asked, const std::filesystem::path& caseFolder)
+{
+    if (asked.empty())
+    {
+        return upwardAxis(caseFolder);
+    }
+    vtkVector3d up(0, 0, 0);
+    up[asked.back() - 'x'] = asked[0] == '-' ? -1 : 1;
+    return up;
+}
+
+void addLight(vtkRenderer& renderer, double x, double y, double intensity)
+{
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToCameraLight();
+    light->SetPosition(x, y, 1);
+    light->SetFocalPoint(0, 0, 0);
+    light->SetIntensity(intensity);
+    renderer.AddLight(light);
+}
+
+} // namespace
+
+Scene::Scene(const Arguments& arguments, const ResultFiles& results)
+    : arguments_(arguments), results_(results),
+      boundary_(readCaseBoundary(results.caseFolder())),
+      texture_(readTexture(results.texture()))
+{
+    if (!boundary_.box.IsValid())
+    {
+        boundary_.box = boxOfResults(results);
+    }
+    placeRenderers();
+    placeLights();
+    showSurroundings();
+
+    const int width = arguments_.size[0] - legendWidth(arguments_.size);
+    const ViewDirection view{
+        upwards(arguments_.up, results.caseFolder()), arguments_.azimuth,
+        arguments_.elevation, arguments_.zoom};
+    aim(*renderer_->GetActiveCamera(), boundary_.box, view,
+        double(width) / arguments_.size[1]);
+}
+
+Scene::~Scene() = default;
+
+void Scene::placeRenderers()
+{
+    const int width = oversampling * arguments_.size[0];
+    const int height = oversampling * arguments_.size[1];
+    window_->SetOffScreenRendering(1);
+    window_->SetSize(width, height);
+    window_->SetMultiSamples(0); // else peeled pictures are black
+    window_->SetAlphaBitPlanes(1);
+
+    const int panelWidth = oversampling * legendWidth(arguments_.size);
+    const double border = 1 - double(panelWidth) / width;
+    renderer_->SetViewport(0, 0, border, 1);
+    paintBackground(*renderer_, colours::background);
+    renderer_->SetUseDepthPeeling(1);
+    renderer_->SetMaximumNumberOfPeels(nPeels);
+    renderer_->SetOcclusionRatio(0);
+    window_->AddRenderer(renderer_);
+
+    const bool withWalls = boundary_.walls->GetNumberOfCells() > 0;
+    legend_ = std::make_unique<Legend>(panelWidth, height, *texture_, withWalls);
+    legend_->renderer().SetViewport(border, 0, 1, 1);
+    window_->AddRenderer(&legend_->renderer());
+}
+
+void Scene::placeLights()
+{
+    renderer_->AutomaticLightCreationOff();
+    addLight(*renderer_, -0.4, 0.6, 0.8);
+    addLight(*renderer_, 0.8, 0.1, 0.25);
+}
+
+void Scene::showSurroundings()
+{
+    const double width = oversampling * lineWidth;
+    renderer_->AddActor(boxActor(boundary_.box, width));
+    if (boundary_.walls->GetNumberOfCells() > 0)
+    {
+        renderer_->AddActor(wallActor(*boundary_.walls));
+        renderer_->AddActor(wallEdgeActor(*boundary_.walls, width));
+    }
+}
+
+void Scene::showFrame(const Frame& frame)
+{
+    for (const auto& actor : frameActors_)
+    {
+        renderer_->RemoveActor(actor);
+    }
+    frameActors_.clear();
+
+    const auto surface = readSurface(frame.interface);
+    if (surface->GetNumberOfPolys() > 0)
+    {
+        frameActors_.push_back(surfaceActor(*surface, *texture_, arguments_.opacity));
+    }
+    FrameNumbers numbers = results_.numbers(frame);
+    if (!frame.particles.empty())
+    {
+        const auto particles = readSurface(frame.particles);
+        if (!numbers.particles)
+        {
+            numbers.particles = double(particles->GetNumberOfPoints());
+        }
+        if (particles->GetNumberOfPoints() > 0)
+        {
+            const double diagonal = boundary_.box.GetDiagonalLength();
+            frameActors_.push_back(
+                particleActor(*particles, arguments_.particleSize * diagonal)
+            );
+        }
+    }
+    for (const auto& actor : frameActors_)
+    {
+        renderer_->AddActor(actor);
+    }
+    legend_->show(frame, numbers);
+}
+
+void Scene::writePicture(const Frame& frame, const std::filesystem::path& picture)
+{
+    showFrame(frame);
+    renderer_->ResetCameraClippingRange();
+    window_->Render();
+
+    vtkNew<vtkWindowToImageFilter> grab;
+    grab->SetInput(window_);
+    grab->SetInputBufferTypeToRGB();
+    grab->ReadFrontBufferOff();
+    grab->ShouldRerenderOff();
+    vtkNew<vtkImageShrink3D> average;
+    average->SetInputConnection(grab->GetOutputPort());
+    average->SetShrinkFactors(oversampling, oversampling, 1);
+    average->AveragingOn();
+    vtkNew<vtkPNGWriter> writer;
+    writer->SetInputConnection(average->GetOutputPort());
+    writer->WriteToMemoryOn();
+    writer->Write();
+
+    const std::string error = takeError();
+    if (!error.empty() || !writer->GetResult())
+    {
+        throw std::runtime_error(
+            "Cannot draw the picture of " + frame.interface.string() + ": " + error
+        );
+    }
+    replaceFile(
+        picture.string(), writer->GetResult()->GetPointer(0),
+        writer->GetResult()->GetNumberOfValues()
+    );
+}
+
+} // namespace Foam::stability

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "Surface.H"
+
+#include "Colours.H"
+#include "Messages.H"
+
+#include <vtkCellArray.h>
+#include <vtkDataArray.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkMath.h>
+#include <vtkNew.h>
+#include <vtkOpenGLPolyDataMapper.h>
+#include <vtkPNGReader.h>
+#include <vtkPointData.h>
+#include <vtkPointGaussianMapper.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkShaderProperty.h>
+#include <vtkVectorOperators.h>
+#include <vtkXMLPolyDataReader.h>
+
+#include <stdexcept>
+#include <vector>
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+void checkReadable(const std::filesystem::path& path)
+{
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored))
+    {
+        throw std::runtime_error("There is no file " + path.string() + ".");
+    }
+}
+
+void checkRead(const std::filesystem::path& path, bool complete)
+{
+    const std::string error = takeError();
+    if (!complete || !error.empty())
+    {
+        throw std::runtime_error(
+            "Cannot read the file " + path.string() + ": "
+            + (error.empty() ? "it is damaged or of another kind." : error)
+        );
+    }
+}
+
+// Normals by area over all triangles around a place: points are split along the seams
+// of p, and the light must not show those.
+vtkSmartPointer<vtkFloatArray> normals(vtkPolyData& data)
+{
+    const vtkIdType nPoints = data.GetNumberOfPoints();
+    vtkDataArray* vertex = data.GetPointData()->GetArray("vertex");
+    std::vector<vtkIdType> place(nPoints);
+    vtkIdType nPlaces = 0;
+    for (vtkIdType i = 0; i < nPoints; ++i)
+    {
+        place[i] = vertex ? vtkIdType(vertex->GetTuple1(i)) : i;
+        nPlaces = std::max(nPlaces, place[i] + 1);
+    }
+
+    std::vector<vtkVector3d> sums(nPlaces, vtkVector3d(0, 0, 0));
+    vtkIdType n = 0;
+    const vtkIdType* corners = nullptr;
+    vtkCellArray* polys = data.GetPolys();
+    for (polys->InitTraversal(); polys->GetNextCell(n, corners);)
+    {
+        vtkVector3d a, b, c;
+        data.GetPoint(corners[0], a.GetData());
+        data.GetPoint(corners[1], b.GetData());
+        data.GetPoint(corners[2], c.GetData());
+        const vtkVector3d area = (b - a).Cross(c - a);
+        for (vtkIdType k = 0; k < n; ++k)
+        {
+            sums[place[corners[k]]] = sums[place[corners[k]]] + area;
+        }
+    }
+
+    auto result = vtkSmartPointer<vtkFloatArray>::New();
+    result->SetName("Normals");
+    result->SetNumberOfComponents(3);
+    result->SetNumberOfTuples(nPoints);
+    for (vtkIdType i = 0; i < nPoints; ++i)
+    {
+        vtkVector3d normal = sums[place[i]];
+        normal.Normalize();
+        result->SetTuple(i, normal.GetData());
+    }
+    return result;
+}
+
+// Paper 5.1: opacity by the angle between normal and line of sight.
+void modulateOpacity(vtkActor& actor)
+{
+    actor.GetShaderProperty()->AddFragmentShaderReplacement(
+        "//VTK::Light::Impl", true,
+        "//VTK::Light::Impl\n"
+        "  float facing = abs(dot(normalVCVSOutput, normalize(vertexVC.xyz)));\n"
+        "  gl_FragData[0].a = mix(1.0, gl_FragData[0].a, facing);\n",
+        false
+    );
+}
+
+// Particles whose state is moving or stuck: the others are not in the fluid.
+vtkSmartPointer<vtkPolyData> present(vtkPolyData& particles)
+{
+    constexpr int moving = 0, stuck = 2;
+    vtkDataArray* state = particles.GetPointData()->GetArray("state");
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> vertices;
+    for (vtkIdType i = 0; i < particles.GetNumberOfPoints(); ++i)
+    {
+        const int s = state ? int(state->GetTuple1(i)) : moving;
+        if (s == moving || s == stuck)
+        {
+            vertices->InsertNextCell({points->InsertNextPoint(particles.GetPoint(i))});
+        }
+    }
+    auto result = vtkSmartPointer<vtkPolyData>::New();
+    result->SetPoints(points);
+    result->SetVerts(vertices);
+    return result;
+}
+
+} // namespace
+
+vtkSmartPointer<vtkPolyData> readSurface(const std::filesystem::path& path)
+{
+    checkReadable(path);
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    checkRead(path, reader->GetErrorCode() == 0 && reader->GetOutput()->GetPoints());
+    return reader->GetOutput();
+}
+
+vtkSmartPointer<vtkTexture> readTexture(const std::filesystem::path& path)
+{
+    checkReadable(path);
+    vtkNew<vtkPNGReader> reader;
+    const bool isPng = reader->CanReadFile(path.c_str());
+    if (isPng)
+    {
+        reader->SetFileName(path.c_str());
+        reader->Update();
+    }
+    checkRead(path, isPng && reader->GetOutput()->GetNumberOfPoints() > 1);
+    auto texture = vtkSmartPointer<vtkTexture>::New();
+    texture->SetInputData(reader->GetOutput());
+    texture->InterpolateOn();
+    // Grid lines must not flicker where the surface is far or seen at a slant. The
+    // black of attached triangles stays clean: their texture coordinates are constant.
+    texture->MipmapOn();
+    texture->SetMaximumAnisotropicFiltering(8);
+    texture->SetWrap(vtkTexture::ClampToEdge);
+    return texture;
+}
+
+vtkSmartPointer<vtkActor>
+surfaceActor(vtkPolyData& interface, vtkTexture& texture, double opacity)
+{
+    vtkNew<vtkPolyData> shape;
+    shape->ShallowCopy(&interface);
+    shape->GetPointData()->SetNormals(normals(interface));
+    vtkPointData* arrays = shape->GetPointData();
+    if (vtkDataArray* coordinates = arrays->GetArray("TCoords"))
+    {
+        arrays->SetTCoords(coordinates);
+    }
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(shape);
+    mapper->ScalarVisibilityOff();
+
+    auto actor = vtkSmartPointer<vtkActor>::New();
+    actor->SetMapper(mapper);
+    actor->SetTexture(&texture);
+    vtkProperty* property = actor->GetProperty();
+    property->SetColor(1, 1, 1);
+    property->SetAmbient(0.58); // soft: the colours must stay those of the legend
+    property->SetDiffuse(0.48);
+    property->SetSpecular(0);
+    property->SetOpacity(opacity);
+    actor->ForceTranslucentOn();
+    modulateOpacity(*actor);
+    return actor;
+}
+
+vtkSmartPointer<vtkActor> particleActor(vtkPolyData& particles, double radius)
+{
+    vtkNew<vtkPointGaussianMapper> mapper;
+    mapper->SetInputData(present(particles));
+    mapper->ScalarVisibilityOff();
+    mapper->EmissiveOff();                // with depth peeling
+    mapper->SetScaleFactor(radius / 2.5); // a splat fades within 2.5 of its widths
+
+    auto actor = vtkSmartPointer<vtkActor>::New();
+    actor->SetMapper(mapper);
+    actor->ForceTranslucentOn();
+    paint(*actor->GetProperty(), colours::detached);
+    return actor;
+}
+
+} // namespace Foam::stability

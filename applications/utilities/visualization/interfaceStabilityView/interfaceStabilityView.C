@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+// Pictures of what interfaceStability found; see -help.
+
+#include "Arguments.H"
+#include "Display.H"
+#include "Messages.H"
+#include "ResultFiles.H"
+#include "Scene.H"
+
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+
+namespace
+{
+
+using namespace Foam::stability;
+namespace fs = std::filesystem;
+
+fs::path outputFolder(const Arguments& arguments, const ResultFiles& results)
+{
+    const fs::path folder = arguments.output.empty() ? results.path() / "pictures"
+                                                     : fs::path(arguments.output);
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error || !fs::is_directory(folder, error))
+    {
+        throw std::runtime_error(
+            "Cannot make the folder " + folder.string() + " for the pictures"
+            + (error ? ": " + error.message() : "") + "."
+        );
+    }
+    return folder;
+}
+
+void writePictures(const Arguments& arguments, int argc, char* argv[])
+{
+    // Whatever can fail early fails before an X server is started.
+    const ResultFiles results(arguments.folder);
+    const auto frames = results.selected(arguments);
+    const fs::path folder = outputFolder(arguments, results);
+    ensureDisplay(argc, argv);
+
+    keepMessages();
+    Scene scene(arguments, results);
+    std::size_t done = 0;
+    for (const Frame& frame : frames)
+    {
+        char name[32];
+        std::snprintf(name, sizeof name, "view_%06d.png", frame.index);
+        scene.writePicture(frame, folder / name);
+        std::cout << "picture " << ++done << " of " << frames.size() << ": "
+                  << (folder / name).string() << std::endl;
+    }
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+    try
+    {
+        const Arguments arguments = parseArguments(argc, argv);
+        if (arguments.help)
+        {
+            std::cout << helpText();
+            return 0;
+        }
+        if (!arguments.batch)
+        {
+            throw std::runtime_error("Only -batch is supported for now; see -help.");
+        }
+        writePictures(arguments, argc, argv);
+        return 0;
+    }
+    catch (const std::exception& error)
+    {
+        std::cerr << "interfaceStabilityView: " << error.what() << '\n';
+        return 1;
+    }
+}

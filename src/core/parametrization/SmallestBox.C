@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "core/parametrization/SmallestBox.H"
+
+#include <algorithm>
+#include <vector>
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+// Convex hull, counter-clockwise (Andrew's monotone chain).
+std::vector<vector2D> convexHull(const List<vector2D>& chart)
+{
+    std::vector<vector2D> points(chart.begin(), chart.end());
+    std::sort(
+        points.begin(), points.end(),
+        [](const vector2D& a, const vector2D& b)
+        { return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y()); }
+    );
+    std::vector<vector2D> hull;
+    for (label side = 0; side < 2; ++side)
+    {
+        const std::size_t start = hull.size();
+        for (const vector2D& p : points)
+        {
+            while (hull.size() >= start + 2
+                   && (hull.back() - hull[hull.size() - 2]).perp(p - hull.back()) <= 0)
+            {
+                hull.pop_back();
+            }
+            hull.push_back(p);
+        }
+        hull.pop_back();
+        std::reverse(points.begin(), points.end());
+    }
+    return hull;
+}
+
+} // namespace
+
+void turnIntoSmallestBox(List<vector2D>& chart)
+{
+    const std::vector<vector2D> hull = convexHull(chart);
+    scalar smallest = VGREAT;
+    vector2D along(1, 0);
+    for (std::size_t i = 0; i < hull.size(); ++i)
+    {
+        const vector2D edge = hull[(i + 1) % hull.size()] - hull[i];
+        const scalar length = mag(edge);
+        if (!(length > 0))
+        {
+            continue;
+        }
+        const vector2D d = edge/length;
+        scalar low = VGREAT, high = -VGREAT, top = 0;
+        for (const vector2D& p : hull)
+        {
+            low = std::min(low, d & p);
+            high = std::max(high, d & p);
+            top = std::max(top, d.perp(p - hull[i]));
+        }
+        if ((high - low)*top < smallest)
+        {
+            smallest = (high - low)*top;
+            along = d;
+        }
+    }
+    for (vector2D& p : chart)
+    {
+        p = vector2D(along & p, along.perp(p));
+    }
+}
+
+} // namespace Foam::stability

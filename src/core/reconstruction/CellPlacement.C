@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "core/reconstruction/CellPlacement.H"
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+// How far x lies beyond the planes of the cell's faces [m]; zero within the cell and
+// within round-off of its faces.
+scalar transgression(const CellComplex& complex, label celli, const point& x)
+{
+    scalar largest = 1e-9 * complex.cellSizes()[celli];
+    const scalar tolerance = largest;
+    for (const label facei : complex.cellFaces()[celli])
+    {
+        const vector& S = complex.faceAreas()[facei];
+        const scalar outwards = complex.owner()[facei] == celli ? 1 : -1;
+        const scalar area = mag(S);
+        if (area > 0)
+        {
+            const vector arm = x - complex.faceCentres()[facei];
+            largest = max(largest, outwards * (arm & S) / area);
+        }
+    }
+    return largest - tolerance;
+}
+
+} // namespace
+
+label holdingCell(
+    const CellComplex& complex, const UList<label>& candidates, const point& x
+)
+{
+    label best = candidates[0];
+    scalar least = GREAT;
+    for (const label celli : candidates)
+    {
+        const scalar beyond = transgression(complex, celli, x);
+        if (beyond < least)
+        {
+            best = celli;
+            least = beyond;
+        }
+    }
+    return best;
+}
+
+bool liesWithin(const CellComplex& complex, label celli, const point& x)
+{
+    return transgression(complex, celli, x) <= 0;
+}
+
+} // namespace Foam::stability

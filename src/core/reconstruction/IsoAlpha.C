@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "core/reconstruction/IsoAlpha.H"
+#include "core/reconstruction/MarchingTets.H"
+#include "core/reconstruction/VolumeFractions.H"
+
+#include <algorithm>
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+using Vertex = MarchingTets::Vertex;
+
+class IsoAlphaExtraction
+{
+public:
+    IsoAlphaExtraction(const CellComplex& complex, const VolumeFractions& fractions)
+        : complex_(complex), fractions_(fractions),
+          pointValues_(complex.nPoints(), unknown), active_(complex.nPoints(), false)
+    {
+    }
+
+    // A tetrahedron can only be cut where one of its points is active: where the
+    // cells around it, or the faces of the boundary, are not all on one side.
+    void cutInto(MarchingTets& tets)
+    {
+        markPoints();
+        const List<bool> near = cellsAtActivePoints();
+        for (label facei = 0; facei < complex_.nFaces(); ++facei)
+        {
+            if (near[complex_.owner()[facei]] && isActive(facei))
+            {
+                cutFace(facei, tets);
+            }
+        }
+        for (label facei = complex_.nInternalFaces(); facei < complex_.nFaces();
+             ++facei)
+        {
+            closeFace(facei, tets);
+        }
+    }
+
+private:
+    static constexpr scalar unknown = -1;
+
+    bool inside(label celli) const
+    {
+        return VolumeFractions::inside(fractions_.cells[celli]);
+    }
+
+    void markPoints()
+    {
+        for (label pointi = 0; pointi < complex_.nPoints(); ++pointi)
+        {
+            const UList<label> cells = complex_.pointCells()[pointi];
+            for (const label celli : cells)
+            {
+                if (inside(celli) != inside(cells[0]))
+                {
+                    active_[pointi] = true;
+                    break;
+                }
+            }
+        }
+        forAll(fractions_.boundaryFaces, i)
+        {
+            const label facei = complex_.nInternalFaces() + i;
+            if (VolumeFractions::inside(fractions_.boundaryFaces[i])
+                != inside(complex_.owner()[facei]))
+            {
+                for (const label pointi : complex_.faces()[facei])
+                {
+                    active_[pointi] = true;
+                }
+            }
+        }
+    }
+
+    List<bool> cellsAtActivePoints() const
+    {
+        List<bool> near(complex_.nCells(), false);
+        forAll(active_, pointi)
+        {
+            if (active_[pointi])
+            {
+                for (const label celli : complex_.pointCells()[pointi])
+                {
+                    near[celli] = true;
+                }
+            }
+        }
+        return near;
+    }
+
+    bool isActive(label facei) const
+    {
+        const face& f = complex_.faces()[facei];
+        return std::any_of(
+            f.begin(), f.end(), [&](label pointi) { return active_[pointi]; }
+        );
+    }
+
+    Vertex atCell(label celli) const
+    {
+        return {
+            complex_.nPoints() + celli, fractions_.cells[celli],
+            complex_.cellCentres()[celli]};
+    }
+
+    Vertex atBoundaryFace(label facei) const
+    {
+        const label i = facei - complex_.nInternalFaces();
+        return {
+            complex_.nPoints() + complex_.nCells() + i, fractions_.boundaryFaces[i],
+            complex_.faceCentres()[facei]};
+    }
+
+    Vertex atPoint(label pointi)
+    {
+        scalar& value = pointValues_[pointi];
+        if (value == unknown)
+        {
+            value = meanAround(pointi);
+        }
+        return {pointi, value, complex_.points()[pointi]};
+    }
+
+    // Weighted by 1/distance, summed in an order given by position: a start from
+    // setFields has means of exactly 1/2, which must not depend on the numbering.
+    scalar meanAround(label pointi) const
+    {
+        const pointField& centres = complex_.cellCentres();
+        labelList cells(complex_.pointCells()[pointi]);
+        std::sort(
+            cells.begin(), cells.end(),
+            [&](label a, label b) { return beforeByPosition(centres[a], centres[b]); }
+        );
+        scalar sum = 0;
+        scalar weights = 0;
+        for (const label celli : cells)
+        {
+            const scalar distance = mag(centres[celli] - complex_.points()[pointi]);
+            const scalar weight = 1 / max(distance, VSMALL);
+            sum += weight * fractions_.cells[celli];
+            weights += weight;
+        }
+        return VolumeFractions::rounded(sum / weights);
+    }
+
+    // Where a face of many pieces lies between two cells, an edge between two of its
+    // pieces has only these two cells around it: its tetrahedra cancel.
+    bool betweenPieces(label facei, label a, label b) const
+    {
+        const label owner = complex_.owner()[facei];
+        const label neighbour = complex_.neighbour()[facei];
+        for (const label otheri : complex_.cellFaces()[owner])
+        {
+            if (otheri != facei && otheri < complex_.nInternalFaces()
+                && complex_.owner()[otheri] + complex_.neighbour()[otheri]
+                       == owner + neighbour)
+            {
+                const face& f = complex_.faces()[otheri];
+                if (f.found(a) && f.found(b))
+                {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    void cutFace(label facei, MarchingTets& tets)
+    {
+        const bool internal = facei < complex_.nInternalFaces();
+        const label owner = complex_.owner()[facei];
+        const label neighbour = internal ? complex_.neighbour()[facei] : owner;
+        const Vertex v0 = atCell(owner);
+        const Vertex v1 = internal ? atCell(neighbour) : atBoundaryFace(facei);
+        label cells[2] = {owner, neighbour};
+        const face& f = complex_.faces()[facei];
+        forAll(f, k)
+        {
+            const label a = f[k];
+            const label b = f.nextLabel(k);
+            if ((active_[a] || active_[b]
+                 || VolumeFractions::inside(v0.value)
+                        != VolumeFractions::inside(v1.value))
+                && !(internal && betweenPieces(facei, a, b)))
+            {
+                tets.cut(
+                    {v0, v1, atPoint(a), atPoint(b)},
+                    UList<label>(cells, internal ? 2 : 1)
+                );
+            }
+        }
+    }
+
+    void closeFace(label facei, MarchingTets& tets)
+    {
+        if (!isActive(facei))
+        {
+            if (inside(complex_.owner()[facei]))
+            {
+                tets.closeWhole(facei);
+            }
+            return;
+        }
+        const face& f = complex_.faces()[facei];
+        forAll(f, k)
+        {
+            tets.close(
+                {atBoundaryFace(facei), atPoint(f[k]), atPoint(f.nextLabel(k))}, facei
+            );
+        }
+    }
+
+    const CellComplex& complex_;
+    const VolumeFractions& fractions_;
+    scalarField pointValues_;
+    List<bool> active_;
+};
+
+} // namespace
+
+ReconstructionResult IsoAlpha::extract(const FlowSnapshot& snapshot) const
+{
+    const VolumeFractions fractions(snapshot);
+    MarchingTets tets(*snapshot.complex);
+    IsoAlphaExtraction(*snapshot.complex, fractions).cutInto(tets);
+    return finish(tets, *snapshot.complex, fractions.volume, options_);
+}
+
+} // namespace Foam::stability

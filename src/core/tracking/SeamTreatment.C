@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "core/tracking/SeamTreatment.H"
+
+#include <algorithm>
+
+namespace Foam::stability
+{
+
+SeamTreatment::SeamTreatment(
+    InterfaceMesh& mesh, List<Match>& matches, const MatchTarget& target,
+    const TransferOptions& options
+)
+    : mesh_(mesh), matches_(matches), options_(options), sheets_(target),
+      bisection_(target, sheets_, options), cuts_(mesh, matches, bisection_, options)
+{
+}
+
+TransferResult SeamTreatment::run()
+{
+    countTriangles();
+    cuts_.separate();
+    giveOwnParameters();
+    placeCuts();
+    splitTriangles();
+    writeBack();
+    return result_;
+}
+
+const SheetPoint& SeamTreatment::seen(label vertexi) const
+{
+    return cuts_.vertices()[vertexi].seen;
+}
+
+void SeamTreatment::countTriangles()
+{
+    for (const triFace& t : mesh_.triangles)
+    {
+        bool complete = true, crossed = false, merged = false;
+        for (label k = 0; k < 3; ++k)
+        {
+            complete = complete && seen(t[k]).sheet.valid();
+            crossed = crossed || cuts_.isCrossed(t[k], t[(k + 1) % 3]);
+            merged = merged || matches_[t[k]].nPreimages > 1;
+        }
+        result_.nCrossing += complete && crossed;
+        result_.nMerged += merged;
+    }
+}
+
+void SeamTreatment::giveOwnParameters()
+{
+    for (const SeamVertex& v : cuts_.vertices())
+    {
+        ownParameters_.push_back(InterfaceMesh::noParameter);
+        if (v.seen.sheet.valid())
+        {
+            ownParameters_.back() = parameters_.size();
+            parameters_.push_back(v.seen.sheet.p);
+        }
+    }
+}
+
+// Points that cuts add have no p of their own, only one on each side.
+label SeamTreatment::ownParameter(label vertexi) const
+{
+    return vertexi < label(ownParameters_.size()) ? ownParameters_[vertexi]
+                                                  : InterfaceMesh::noParameter;
+}
+
+// One index for all that agree at a vertex: a seam of the new mesh is exactly where
+// the indices on both sides of an edge differ.
+label SeamTreatment::parameterIndex(label vertexi, const vector2D& p)
+{
+    constexpr scalar same = 1e-4; // of what counts as a jump
+    const scalar tolerance = same * bisection_.smallestJump(seen(vertexi).cellSize);
+    const label own = ownParameter(vertexi);
+    if (own >= 0 && mag(parameters_[own] - p) <= tolerance)
+    {
+        return own;
+    }
+    std::vector<label>& others = otherParameters_[vertexi];
+    for (const label i : others)
+    {
+        if (mag(parameters_[i] - p) <= tolerance)
+        {
+            return i;
+        }
+    }
+    parameters_.push_back(p);
+    others.push_back(parameters_.size() - 1);
+    return others.back();
+}
+
+void SeamTreatment::placeCuts()
+{
+    for (const auto& [edge, crossed] : cuts_.edges())
+    {
+        const SeamEvent& event = crossed.events.front();
+        Cut& cut = placed_[edge];
+        if (event.at < options_.snap)
+        {
+            cut.point = edge.first;
+        }
+        else if (event.at > 1 - options_.snap)
+        {
+            cut.point = edge.second;
+        }
+        else
+        {
+            cut.point = cuts_.addVertex(
+                bisection_.between(seen(edge.first), seen(edge.second), event.at), edge,
+                event.at, crossed.boundary
+            );
+        }
+        const point x = seen(cut.point).x;
+        cut.lower =
+            parameterIndex(cut.point, bisection_.parameterOnSide(x, event.before));
+        cut.higher =
+            parameterIndex(cut.point, bisection_.parameterOnSide(x, event.after));
+    }
+}
+
+void SeamTreatment::splitTriangles()
+{
+    triangles_ = cuts_.triangles();
+    parents_ = cuts_.parents();
+    corners_.resize(triangles_.size());
+    const label nUncut = triangles_.size();
+    for (label i = 0; i < nUncut; ++i)
+    {
+        const triFace t = triangles_[i];
+        label nCuts = 0;
+        FixedList<EdgeCut, 3> cuts;
+        for (label k = 0; k < 3; ++k)
+        {
+            const label a = t[k], b = t[(k + 1) % 3];
+            corners_[i][k] = ownParameter(a);
+            if (cuts_.isCrossed(a, b))
+            {
+                const Cut& cut = placed_.at(SeamCuts::edgeOf(a, b));
+                cuts[k] = a < b ? EdgeCut{cut.point, cut.lower, cut.higher}
+                                : EdgeCut{cut.point, cut.higher, cut.lower};
+                ++nCuts;
+            }
+        }
+        if (nCuts > 1 || (nCuts == 1 && !splitToSeamEnd(i, cuts)))
+        {
+            split(i, cuts);
+        }
+    }
+}
+
+void SeamTreatment::replace(label trianglei, const std::vector<CutTriangle>& parts)
+{
+    for (std::size_t j = 0; j < parts.size(); ++j)
+    {
+        if (j == 0)
+        {
+            triangles_[trianglei] = parts[j].points;
+            corners_[trianglei] = parts[j].corners;
+        }
+        else
+        {
+            triangles_.push_back(parts[j].points);
+            corners_.push_back(parts[j].corners);
+            parents_.push_back(parents_[trianglei]);
+        }
+    }
+}
+
+void SeamTreatment::split(label trianglei, const FixedList<EdgeCut, 3>& cuts)
+{
+    const triFace t = triangles_[trianglei];
+    const label middle = middleCorner(t, cuts);
+    const auto position = [&](label vertexi) -> const point&
+    { return seen(vertexi).x; };
+    std::vector<CutTriangle> parts =
+        retriangulate(t, corners_[trianglei], cuts, middle, position);
+    for (CutTriangle& part : parts)
+    {
+        if (part.extrapolated >= 0)
+        {
+            const label c = part.extrapolated, a = (c + 1) % 3, b = (c + 2) % 3;
+            part.corners[c] = parameterIndex(
+                part.points[c],
+                similarCorner(
+                    position(part.points[a]), position(part.points[b]),
+                    position(part.points[c]), parameters_[part.corners[a]],
+                    parameters_[part.corners[b]],
+                    sheets_.orientation(seen(t[middle]).sheet.anchor)
+                )
+            );
+        }
+    }
+    replace(trianglei, parts);
+}
+
+// One cut: the seam ends within the triangle. Where it does on T, a vertex is set, so
+// that slits of p neither grow nor close from transfer to transfer. False where the
+// end of the seam is not found inside.
+bool SeamTreatment::splitToSeamEnd(label trianglei, const FixedList<EdgeCut, 3>& cuts)
+{
+    const triFace t = triangles_[trianglei];
+    const label k = cuts[0].exists() ? 0 : cuts[1].exists() ? 1 : 2;
+    const label a = t[k], b = t[(k + 1) % 3], o = t[(k + 2) % 3], c = cuts[k].point;
+    if (c == a || c == b)
+    {
+        return false;
+    }
+    const point &xa = seen(a).x, &xb = seen(b).x, &xo = seen(o).x;
+    const vector normal = (xb - xa) ^ (xo - xa);
+    const SurfacePoint& onT = seen(c).match.nearest;
+    const label endi = onT.triangle < 0 ? -1
+                                        : sheets_.seamEnd(
+                                            onT.position, normal ^ (xb - xa),
+                                            mag(xb - xa) + mag(xo - xa)
+                                        );
+    if (endi < 0)
+    {
+        return false;
+    }
+
+    // Clear of the edges; also where the seam goes on for a little with a jump that
+    // is too small to cut the next edge.
+    constexpr scalar margin = 0.01;
+    const SurfacePoint foot = closestPoint(sheets_.position(endi), xa, xb, xo);
+    const point inside =
+        (1 - 3*margin)*foot.position + 3*margin*((xa + xb + xo)/3);
+    const SheetPoint v = bisection_.locate(
+        inside, normal/(mag(normal) + VSMALL), seen(o).cellSize
+    );
+    if (!v.sheet.valid())
+    {
+        return false;
+    }
+    const label end = cuts_.addVertex(v, o);
+    const label p = parameterIndex(end, v.sheet.p);
+    const CornerIndices own = corners_[trianglei];
+    const label pa = own[k], pb = own[(k + 1) % 3], po = own[(k + 2) % 3];
+    replace(
+        trianglei, {{triFace(a, c, end), CornerIndices{pa, cuts[k].before, p}},
+                    {triFace(c, b, end), CornerIndices{cuts[k].after, pb, p}},
+                    {triFace(b, o, end), CornerIndices{pb, po, p}},
+                    {triFace(o, a, end), CornerIndices{po, pa, p}}}
+    );
+    return true;
+}
+
+// Three cuts: to which corner's sheet does the triangle in the middle belong?
+label SeamTreatment::middleCorner(const triFace& t, const FixedList<EdgeCut, 3>& cuts)
+    const
+{
+    if (!cuts[0].exists() || !cuts[1].exists() || !cuts[2].exists())
+    {
+        return 0;
+    }
+    const point &a = seen(cuts[0].point).x, &b = seen(cuts[1].point).x,
+                &c = seen(cuts[2].point).x;
+    const vector normal = (b - a) ^ (c - a);
+    const SheetPoint centre = bisection_.locate(
+        (a + b + c) / 3, normal / (mag(normal) + VSMALL), seen(t[0]).cellSize
+    );
+    for (label k = 0; k < 3 && centre.sheet.valid(); ++k)
+    {
+        if (seen(t[k]).sheet.valid() && bisection_.joined(seen(t[k]), centre, 0))
+        {
+            return k;
+        }
+    }
+    for (label k = 0; k < 3; ++k)
+    {
+        if (seen(t[k]).sheet.valid())
+        {
+            return k;
+        }
+    }
+    return 0;
+}
+
+void SeamTreatment::writeBack()
+{
+    std::vector<label> nParts(mesh_.triangles.size(), 0);
+    for (const label parent : parents_)
+    {
+        ++nParts[parent];
+    }
+    result_.nSplit =
+        std::count_if(nParts.begin(), nParts.end(), [](label n) { return n > 1; });
+    result_.nUnresolved = cuts_.nUnresolved();
+
+    const label nOldPoints = mesh_.points.size(), nPoints = cuts_.vertices().size();
+    mesh_.points.setSize(nPoints);
+    mesh_.cells.setSize(nPoints);
+    mesh_.boundaryFaces.setSize(nPoints);
+    mesh_.cellSizes.setSize(nPoints);
+    matches_.setSize(nPoints);
+    for (label i = nOldPoints; i < nPoints; ++i)
+    {
+        mesh_.points[i] = seen(i).x;
+        mesh_.cells[i] = cuts_.vertices()[i].cell;
+        mesh_.boundaryFaces[i] = cuts_.vertices()[i].boundaryFace;
+        mesh_.cellSizes[i] = seen(i).cellSize;
+        matches_[i] = seen(i).match;
+    }
+
+    const label nTriangles = triangles_.size();
+    mesh_.triangles.setSize(nTriangles);
+    mesh_.materials.setSize(nTriangles);
+    mesh_.corners.setSize(nTriangles);
+    for (label i = 0; i < nTriangles; ++i)
+    {
+        mesh_.triangles[i] = triangles_[i];
+        mesh_.materials[i] = mesh_.materials[parents_[i]];
+        mesh_.corners[i] = corners_[i];
+    }
+    mesh_.parameters.setSize(parameters_.size());
+    std::copy(parameters_.begin(), parameters_.end(), mesh_.parameters.begin());
+}
+
+} // namespace Foam::stability

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "foam/Controls.H"
+
+#include "core/parametrization/Flattening.H"
+#include "IOdictionary.H"
+#include "OSspecific.H"
+
+#include <omp.h>
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+const word dictName("interfaceStabilityDict");
+
+const Enum<Merge> mergeNames({
+    {Merge::nearest, "nearest"},
+    {Merge::untracked, "untracked"},
+});
+
+const Enum<WallVelocity> wallVelocityNames({
+    {WallVelocity::slip, "slip"},
+    {WallVelocity::noSlip, "noSlip"},
+});
+
+const Enum<OnError> onErrorNames({
+    {OnError::stop, "stop"},
+    {OnError::resume, "resume"},
+});
+
+const wordList ownEntries{"alpha",           "U",
+                          "region",          "reconstruction",
+                          "smooth",          "epsilon",
+                          "epsilonAbsolute", "merge",
+                          "normalGate",      "seamTreatment",
+                          "wallVelocity",    "tolerance",
+                          "maxParticles",    "flattening",
+                          "nThreads"};
+
+// What OpenFOAM itself reads from the dictionary of any function object.
+const wordList functionObjectEntries{
+    "type",
+    "libs",
+    "functionObjectLibs",
+    "enabled",
+    "log",
+    "errors",
+    "timeStart",
+    "timeEnd",
+    "triggerStart",
+    "triggerEnd",
+    "controlMode",
+    "deltaTCoeff",
+    "nStepsToStartTimeChange",
+    "executeControl",
+    "executeInterval",
+    "writeControl",
+    "writeInterval",
+    "outputControl",
+    "outputInterval",
+    "useUserTime",
+    "field",
+    "fields"};
+
+void checkKeys(const dictionary& dict, Shell shell)
+{
+    wordList allowed(ownEntries);
+    wordHashSet known(ownEntries);
+    if (shell == Shell::functionObject)
+    {
+        allowed.append(word("onError"));
+        known.insert("onError");
+        known.insert(functionObjectEntries);
+    }
+    for (const entry& e : dict)
+    {
+        if (e.keyword() == "FoamFile" || known.found(e.keyword()))
+        {
+            continue;
+        }
+        FatalIOErrorInFunction(dict)
+            << "Unknown entry '" << e.keyword() << "'." << nl
+            << "Entries of interfaceStability: " << flatOutput(allowed)
+            << exit(FatalIOError);
+    }
+}
+
+struct Range
+{
+    scalar low;
+    scalar high;
+    const char* unit;
+    bool openLow = false; // low itself is not allowed
+};
+
+template<class Type>
+Type readNumber(
+    const dictionary& dict, const word& key, Type standard, const Range& range
+)
+{
+    const Type value = dict.getOrDefault<Type>(key, standard);
+    if (value < range.low || value > range.high
+        || (range.openLow && value == range.low))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry '" << key << "' is " << value << "; allowed is "
+            << (range.openLow ? "above " : "") << range.low << " to " << range.high
+            << range.unit << '.' << exit(FatalIOError);
+    }
+    return value;
+}
+
+// A method of the core, by its name.
+std::string readName(
+    const dictionary& dict, const word& key, const std::string& standard,
+    const std::vector<std::string>& names
+)
+{
+    const word value = dict.getOrDefault<word>(key, standard);
+    if (std::find(names.begin(), names.end(), value) == names.end())
+    {
+        std::string list;
+        for (const std::string& name : names)
+        {
+            list += (list.empty() ? "" : " ") + name;
+        }
+        FatalIOErrorInFunction(dict)
+            << "Entry '" << key << "' is '" << value << "'; allowed is one of ("
+            << list.c_str() << ")." << exit(FatalIOError);
+    }
+    return value;
+}
+
+template<class EnumType>
+EnumType readEnum(
+    const dictionary& dict, const word& key, EnumType standard,
+    const Enum<EnumType>& names
+)
+{
+    const word value = dict.getOrDefault<word>(key, names.get(standard));
+    if (!names.found(value))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry '" << key << "' is '" << value << "'; allowed is one of "
+            << flatOutput(names.names()) << '.' << exit(FatalIOError);
+    }
+    return names.get(value);
+}
+
+Epsilon readEpsilon(const dictionary& dict, const std::string& reconstruction)
+{
+    if (dict.found("epsilon") && dict.found("epsilonAbsolute"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entries 'epsilon' (in cells) and 'epsilonAbsolute' (in metres) are "
+            << "both given; allowed is one of them." << exit(FatalIOError);
+    }
+    Epsilon epsilon;
+    epsilon.relative = !dict.found("epsilonAbsolute");
+    if (epsilon.relative)
+    {
+        // The dual mesh of bonnell is noisier than cell-point tetrahedra.
+        const scalar standard = reconstruction == "bonnell" ? 1 : 0.5;
+        epsilon.value =
+            readNumber(dict, "epsilon", standard, Range{0, 10, " cells", true});
+    }
+    else
+    {
+        epsilon.value =
+            readNumber<scalar>(dict, "epsilonAbsolute", 1, Range{0, GREAT, " m", true});
+    }
+    return epsilon;
+}
+
+TrackerOptions readTrackerOptions(const dictionary& dict)
+{
+    TrackerOptions options;
+    options.reconstruction.method = readName(
+        dict, "reconstruction", options.reconstruction.method, Reconstruction::names()
+    );
+    options.reconstruction.smooth =
+        readNumber<label>(dict, "smooth", 0, Range{0, 1000, " pairs"});
+    options.parametrization.flattening = readName(
+        dict, "flattening", options.parametrization.flattening, Flattening::names()
+    );
+    options.matching.epsilon = readEpsilon(dict, options.reconstruction.method);
+    options.matching.normalGate = dict.getOrDefault<bool>("normalGate", true);
+    options.transfer.merge = readEnum(dict, "merge", Merge::nearest, mergeNames);
+    options.transfer.seamTreatment = dict.getOrDefault<bool>("seamTreatment", true);
+    options.wallVelocity =
+        readEnum(dict, "wallVelocity", WallVelocity::slip, wallVelocityNames);
+    options.integration.tolerance =
+        readNumber<scalar>(dict, "tolerance", 1e-3, Range{1e-10, 0.1, " cells"});
+    options.maxParticles =
+        readNumber<label>(dict, "maxParticles", 1000000, Range{0, 1e9, ""});
+    // OpenMP's own number follows OMP_NUM_THREADS, else it is that of the cores.
+    options.nThreads = readNumber<label>(
+        dict, "nThreads", omp_get_max_threads(), Range{1, 1024, " threads"}
+    );
+    return options;
+}
+
+} // namespace
+
+Controls readControls(const dictionary& dict, Shell shell)
+{
+    checkKeys(dict, shell);
+    Controls controls;
+    controls.alpha = dict.getOrDefault<word>("alpha", word::null);
+    controls.U = dict.getOrDefault<word>("U", controls.U);
+    controls.tracker = readTrackerOptions(dict);
+    controls.onError = readEnum(dict, "onError", OnError::stop, onErrorNames);
+    return controls;
+}
+
+dictionary
+findControlsDict(const Time& runTime, const fileName& option, const word& region)
+{
+    const auto at = [&](const fileName& local)
+    {
+        return IOobject(
+            dictName, runTime.system(), local, runTime, IOobject::MUST_READ,
+            IOobject::NO_WRITE, false
+        );
+    };
+    IOobject io(at(region));
+    if (!option.empty())
+    {
+        io = IOobject::selectIO(at(fileName::null), option);
+    }
+    else if (!region.empty() && !isFile(io.objectPath()))
+    {
+        io = at(fileName::null);
+    }
+    if (option.empty() && !isFile(io.objectPath()))
+    {
+        Info << "No " << runTime.relativePath(io.objectPath())
+             << ": every entry has its default." << nl << endl;
+        return dictionary();
+    }
+    return IOdictionary(io);
+}
+
+} // namespace Foam::stability

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "foam/ResultFolder.H"
+
+#include "core/Errors.H"
+#include "OSspecific.H"
+#include "fileNameList.H"
+#include "sigFpe.H"
+
+#include <iomanip>
+#include <sstream>
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+const fileName writerLibrary("libinterfaceStabilityVtk.so");
+constexpr int textureSize = 1024; // [pixels]
+
+std::unique_ptr<ResultWriter> openWriter()
+{
+    std::string cause;
+    void* handle = dlOpen(writerLibrary, cause);
+    void* symbol =
+        handle ? dlSymFound(handle, "interfaceStabilityNewVtpWriter") : nullptr;
+    if (!symbol)
+    {
+        throw std::runtime_error(
+            "Cannot open " + writerLibrary + ", which writes the results ("
+            + (handle ? "it lacks its entry point" : cause) + "): run Allwmake."
+        );
+    }
+    // The library stays open: the writer's code lives in it.
+    const auto newWriter = reinterpret_cast<ResultWriter* (*)()>(symbol);
+    return std::unique_ptr<ResultWriter>(newWriter());
+}
+
+// A part of the path that exists and is no folder; empty if there is none.
+fileName obstacle(const fileName& path)
+{
+    for (fileName part = path; !part.empty() && part != "/" && part != ".";
+         part = part.path())
+    {
+        if (isFile(part, false))
+        {
+            return part;
+        }
+    }
+    return fileName();
+}
+
+std::string timeText(scalar time)
+{
+    std::ostringstream os;
+    os << std::setprecision(15) << time;
+    return os.str();
+}
+
+} // namespace
+
+ResultFolder::ResultFolder(const fileName& path)
+    : path_(path), stability_("Areas in m2, displacement in cells"),
+      survival_("Fractions of T (detached) and M (attached) farther away than so many "
+                "cells"),
+      timing_("Seconds of wall-clock time, by phase, since the last classified time")
+{
+    const fileName inTheWay(obstacle(path_));
+    if (!inTheWay.empty())
+    {
+        throw BadInput(
+            inTheWay + " is a file, but the results belong into the folder " + path_
+            + ": move the file away."
+        );
+    }
+    stability_.setColumns(Statistics::columns());
+    survival_.setColumns(Statistics::survivalColumns());
+}
+
+void ResultFolder::open()
+{
+    writer_ = openWriter();
+    if (!mkDir(path_))
+    {
+        writer_.reset();
+        throw std::runtime_error("Cannot make the folder " + path_ + ".");
+    }
+    removeEarlierResults();
+}
+
+void ResultFolder::removeEarlierResults() const
+{
+    // The lists and tables first: no moment shows lists of files that are gone.
+    for (const char* name : {"stability.dat", "survival.dat", "timing.dat"})
+    {
+        rm(path_ / name);
+    }
+    for (const Family* family : {&interfaces_, &timeSurfaces_, &particles_})
+    {
+        rm(path_ / (family->name + ".vtp.series"));
+        for (const fileName& file : readDir(path_, fileName::FILE, false))
+        {
+            const std::string stem = family->name + "_";
+            if (file.compare(0, stem.size(), stem) == 0 && file.hasExt("vtp"))
+            {
+                rm(path_ / file);
+            }
+        }
+    }
+}
+
+void ResultFolder::writeFamily(
+    Family& family, const ResultSurface& surface, label index
+)
+{
+    std::ostringstream name;
+    name << family.name << '_' << std::setw(6) << std::setfill('0') << index << ".vtp";
+    {
+        const sigFpe::ignore untrapped; // VTK divides by zero at times
+        writer_->writeVtp(path_ / name.str(), surface);
+    }
+    family.entries.push_back(
+        "{ \"name\" : \"" + name.str() + "\", \"time\" : " + timeText(surface.time)
+        + " }"
+    );
+
+    std::string text = "{\n  \"file-series-version\" : \"1.0\",\n  \"files\" : [\n";
+    for (std::size_t i = 0; i < family.entries.size(); ++i)
+    {
+        const bool last = i + 1 == family.entries.size();
+        text += "    " + family.entries[i] + (last ? "\n" : ",\n");
+    }
+    writeWholeFile(path_ / (family.name + ".vtp.series"), text + "  ]\n}\n");
+}
+
+void ResultFolder::write(const Classification& c, const InstabilityParticles& particles)
+{
+    const Statistics& statistics = c.statistics;
+    if (!writer_)
+    {
+        open();
+        const sigFpe::ignore untrapped;
+        writer_->writeTexture(path_ / "texture.png", textureSize);
+    }
+    writeFamily(interfaces_, interfaceSurface(c), c.index);
+    writeFamily(timeSurfaces_, timeSurface(c), c.index);
+    writeFamily(particles_, particleCloud(particles, statistics.time), c.index);
+
+    stability_.addRow(statistics.values());
+    stability_.write(path_ / "stability.dat");
+    survival_.addRow(statistics.survivalValues());
+    survival_.write(path_ / "survival.dat");
+}
+
+void ResultFolder::writeTimings(
+    scalar time, const std::vector<std::string>& phases,
+    const std::vector<scalar>& seconds
+)
+{
+    std::vector<std::string> columns{"time"};
+    columns.insert(columns.end(), phases.begin(), phases.end());
+    timing_.setColumns(columns);
+    std::vector<scalar> row{time};
+    row.insert(row.end(), seconds.begin(), seconds.end());
+    timing_.addRow(row);
+    timing_.write(path_ / "timing.dat");
+}
+
+} // namespace Foam::stability

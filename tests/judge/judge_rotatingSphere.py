@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Part of interfaceStability, an extension of OpenFOAM.
+"""Judges a run on the rotating sphere by the motion that was planted in its data.
+
+What the run wrote is compared with the rigid rotation: the material point of a vertex
+is the vertex, turned back by the angle. Needs nothing but the .vtp files.
+"""
+
+import argparse
+
+import numpy as np
+
+from chart import Chart
+from results import Run, Verdict
+
+CENTRE = np.array([0.726, 0.393, 0.508])
+RADIUS = 0.15
+AXIS = np.array([1.0, 2.0, 3.0]) / np.sqrt(14)
+THROUGH = np.array([0.5, 0.5, 0.5])
+PERIOD = 1.0
+
+
+def turned_back(points, time):
+    """Where the rotation had these points at the time 0 (Rodrigues)."""
+    angle = -2 * np.pi * time / PERIOD
+    arms = points - THROUGH
+    along = np.outer(arms @ AXIS, AXIS)
+    across = arms - along
+    return THROUGH + along + np.cos(angle) * across + np.sin(angle) * np.cross(AXIS, across)
+
+
+def arc(x, y):
+    """Distance of two points along the sphere: what they differ by radially is the
+    reconstruction's error and no error of p."""
+    x = (x - CENTRE) / np.linalg.norm(x - CENTRE, axis=1)[:, None]
+    y = (y - CENTRE) / np.linalg.norm(y - CENTRE, axis=1)[:, None]
+    return RADIUS * np.arctan2(
+        np.linalg.norm(np.cross(x, y), axis=1), np.einsum("ij,ij->i", x, y)
+    )
+
+
+class Errors:
+    """Tangential errors of one step, in cells."""
+
+    def __init__(self, interface, chart, h):
+        exact = turned_back(interface.points, interface.time)
+        stable = interface["stability"] == 0
+        tracked = stable & interface.has_p()
+        self.origin = arc(exact, interface["origin"])[stable] / h
+        places, outside = chart.place(interface["parameter"][tracked])
+        errors = arc(exact[tracked], places) / h
+        self.strays = np.sum(outside > 0.5 * h) / max(1, np.sum(tracked))
+        self.parameter = errors[outside <= 0.5 * h]
+        self.wrong_share, self.blank_share = self._triangles(interface, chart, h, stable)
+
+    @staticmethod
+    def _triangles(interface, chart, h, stable):
+        """Shares of the stable area whose p is wrong (its centroid maps more than a
+        cell from where it was, or into no chart), and that has no p."""
+        corners = interface.triangles
+        inside = np.all(stable[corners], axis=1)
+        corners = corners[inside]
+        areas = interface.triangle_areas()[inside]
+        whole = np.all(interface.has_p()[corners], axis=1)
+        centres = interface.points[corners].mean(axis=1)
+        exact = turned_back(centres, interface.time)
+        parameters = interface["parameter"][corners].mean(axis=1)
+        wrong = np.zeros(len(corners), dtype=bool)
+        if np.any(whole):
+            places, outside = chart.place(parameters[whole])
+            wrong[whole] = (outside > 1e-9) | (arc(exact[whole], places) > h)
+        total = max(areas.sum(), 1e-300)
+        return areas[wrong].sum() / total, areas[~whole].sum() / total
+
+
+def shares(run, index):
+    """Detached share of T, attached share of M, both by area."""
+    t = run.surface("timeSurface", index)
+    m = run.surface("interface", index)
+    of_t, of_m = t.point_areas(), m.point_areas()
+    detached = of_t[t["stability"] == 2].sum() / of_t.sum()
+    attached = of_m[m["stability"] == 1].sum() / of_m.sum()
+    return detached, attached, m
+
+
+def judge_still(run, verdict):
+    """U was set to zero in the data: what cannot fail is no test."""
+    detached = [shares(run, i)[0] for i in range(1, len(run))]
+    verdict.at_least("half of T detaches at every step", min(detached), 0.5)
+    print(f"  detached share of T: {min(detached):.3f} to {max(detached):.3f}")
+
+
+def table_head():
+    print("  step   f_det     f_att     origin mean/max     p mean/max       wrong    no p")
+
+
+def judge_rotation(run, options, verdict):
+    h = 1.0 / options.cells
+    chart = Chart(run.surface("timeSurface", 0))
+    verdict.check("the chart is one-to-one oriented", chart.flipped == 0, f"{chart.flipped} flips")
+    table_head()
+    worst_detached = worst_attached = largest_origin = largest_p = strays = 0
+    for index in range(len(run)):
+        detached, attached, interface = shares(run, index)
+        errors = Errors(interface, chart, h)
+        largest_origin = max(largest_origin, errors.origin.max(initial=0))
+        largest_p = max(largest_p, errors.parameter.max(initial=0))
+        strays = max(strays, errors.strays)
+        if index:
+            worst_detached = max(worst_detached, detached)
+            worst_attached = max(worst_attached, attached)
+        if index % 5 == 0 or index == len(run) - 1:
+            print(
+                f"  {index:4d} {detached:9.2e} {attached:9.2e}"
+                f"   {errors.origin.mean():.4f} {errors.origin.max():.4f}"
+                f"   {errors.parameter.mean():.4f} {errors.parameter.max(initial=0):.4f}"
+                f"   {errors.wrong_share:.5f} {errors.blank_share:.5f}"
+            )
+
+    steps = len(run) - 1
+    verdict.check("40 transfers", steps == options.transfers, f"{steps} transfers")
+    verdict.at_most("detached share of T, any step", worst_detached, 0)
+    if options.attached:
+        verdict.at_most("attached share of M, any step", worst_attached, 0)
+    # The last interface of the loop is that after the full turn.
+    verdict.at_most("mean error of origin [cells]", errors.origin.mean(), options.mean)
+    verdict.at_most("mean error of p [cells]", errors.parameter.mean(), options.mean)
+    verdict.at_most("largest error of origin, any step [cells]", largest_origin, options.largest)
+    verdict.at_most("largest error of p, any step [cells]", largest_p, options.largest)
+    verdict.at_most("vertices with p off the charts, any step", strays, 0.005)
+    verdict.at_most(
+        "stable area with wrong or no p", errors.wrong_share + errors.blank_share, 0.005
+    )
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("case")
+    parser.add_argument("--cells", type=int, default=32, help="along each side of the cube")
+    parser.add_argument("--transfers", type=int, default=40)
+    parser.add_argument("--mean", type=float, default=0.1, help="allowed mean error [cells]")
+    parser.add_argument("--largest", type=float, default=0.5, help="allowed error [cells]")
+    parser.add_argument("--no-attached", dest="attached", action="store_false",
+                        help="do not judge what attached")
+    parser.add_argument("--still", action="store_true", help="U is zero: T must detach")
+    options = parser.parse_args()
+
+    run, verdict = Run(options.case), Verdict()
+    if options.still:
+        judge_still(run, verdict)
+    else:
+        judge_rotation(run, options, verdict)
+    verdict.leave()
+
+
+if __name__ == "__main__":
+    main()

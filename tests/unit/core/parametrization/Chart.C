@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "core/parametrization/Chart.H"
+
+#include "core/Errors.H"
+#include "shapes/ChartOverlap.H"
+#include "shapes/Surfaces.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+using namespace Foam::stability;
+using namespace Foam::stability::shapes;
+
+namespace
+{
+
+List<triFace> trianglesOf(const Chart& chart)
+{
+    List<triFace> triangles(chart.corners.size());
+    forAll(triangles, i)
+    {
+        const CornerIndices& c = chart.corners[i];
+        triangles[i] = triFace(c[0], c[1], c[2]);
+    }
+    return triangles;
+}
+
+void expectOneToOne(const PlainSurface& surface, const Chart& chart)
+{
+    ASSERT_EQ(chart.corners.size(), surface.triangles.size());
+    const List<triFace> triangles = trianglesOf(chart);
+    EXPECT_TRUE(shapeOf(chart.parameters.size(), triangles).isDisk());
+    EXPECT_EQ(countFlips(chart.parameters, triangles), 0);
+    EXPECT_EQ(countOverlaps(chart.parameters, triangles), 0);
+
+    scalar onSurface = 0, inChart = 0;
+    forAll(triangles, i)
+    {
+        const List<vector2D>& p = chart.parameters;
+        const triFace& t = triangles[i];
+        onSurface += surface.triangles[i].mag(surface.points);
+        inChart += 0.5*(p[t[1]] - p[t[0]]).perp(p[t[2]] - p[t[0]]);
+    }
+    EXPECT_NEAR(inChart/onSurface, 1, 1e-9);
+}
+
+// A method that never works, or folds the chart over.
+class Useless : public Flattening
+{
+public:
+    explicit Useless(bool folds) : folds_(folds) {}
+
+    List<vector2D> flatten(const PlainSurface& surface) const override
+    {
+        if (!folds_)
+        {
+            throw NumericalFailure("Useless.");
+        }
+        List<vector2D> chart = Flattening::New("tutte")->flatten(surface);
+        for (vector2D& p : chart)
+        {
+            p.x() = mag(p.x() - chart[0].x());
+        }
+        return chart;
+    }
+
+private:
+    bool folds_;
+};
+
+} // namespace
+
+TEST(Chart, IsOneToOneForEveryTopology)
+{
+    const auto lscm = Flattening::New("lscm");
+    for (const PlainSurface& surface :
+         {sphere(point(1, 2, 3), 0.01, 3), torus(1, 0.4, 48, 24), hemisphere(point(0, 0, 0), 1, 3), columns({"XXXXX", "X X X", "XXXXX"})})
+    {
+        const Chart chart = makeChart(surface, *lscm);
+        EXPECT_FALSE(chart.fallback);
+        expectOneToOne(surface, chart);
+        EXPECT_GE(chart.areaRatio, 1);
+    }
+}
+
+// A ring that is flat or almost flat lies flat with its hole; opened along a cut it
+// would touch itself. A tube is better off cut.
+TEST(Chart, RingsNeedNoCut)
+{
+    const auto lscm = Flattening::New("lscm");
+    for (const scalar waves : {0.0, 0.1})
+    {
+        PlainSurface ring = annulus(0.5, 1, 48, 8);
+        for (point& p : ring.points)
+        {
+            p.z() += waves*std::sin(5*p.x() + 3*p.y());
+        }
+        const Chart chart = makeChart(ring, *lscm);
+        EXPECT_FALSE(chart.fallback);
+        EXPECT_EQ(chart.parameters.size(), ring.points.size());
+        const List<triFace> triangles = trianglesOf(chart);
+        EXPECT_EQ(countFlips(chart.parameters, triangles), 0);
+        EXPECT_EQ(countOverlaps(chart.parameters, triangles), 0);
+        EXPECT_LT(chart.areaRatio, waves > 0 ? 3 : 1 + 1e-9);
+    }
+    const PlainSurface tube = grid(
+        [](scalar u, scalar v)
+        { return point(std::cos(2*M_PI*u), std::sin(2*M_PI*u), 3*v); },
+        24, 12, true
+    );
+    const Chart chart = makeChart(tube, *lscm);
+    EXPECT_FALSE(chart.fallback);
+    EXPECT_GT(chart.parameters.size(), tube.points.size());
+    expectOneToOne(tube, chart);
+    EXPECT_LT(chart.areaRatio, 1.1);
+}
+
+// In the smallest rectangle: that of the developed cylinder.
+TEST(Chart, IsTurnedUpright)
+{
+    const scalar radius = 0.5, height = 3;
+    const PlainSurface surface = openCylinder(radius, height, 270, 96, 24);
+    const Chart chart = makeChart(surface, *Flattening::New("lscm"));
+    vector2D low = chart.parameters[0], high = low;
+    for (const vector2D& p : chart.parameters)
+    {
+        low = min(low, p);
+        high = max(high, p);
+    }
+    const vector2D size = high - low;
+    // The chords of 96 pieces of the arc.
+    const scalar arc = 96*2*radius*std::sin(0.5*1.5*M_PI/96);
+    EXPECT_NEAR(min(size.x(), size.y())/arc, 1, 1e-8);
+    EXPECT_NEAR(max(size.x(), size.y())/height, 1, 1e-8);
+    EXPECT_NEAR(chart.areaRatio, 1, 1e-7);
+}
+
+// A long closed finger is a disk, but its tip would shrink to nothing: it is cut
+// further.
+TEST(Chart, CutsFurtherWhereTheChartShrinks)
+{
+    const boundBox box(point(-0.5, -0.5, 0), point(0.5, 0.5, 1));
+    const PlainSurface ragged = marchingTetrahedra(
+        [](const point& p)
+        { return mag(p - point(.013, .021, min(p.z(), 0.8))) - 0.1; }, box, 20
+    );
+    PlainSurface surface = grid(
+        [](scalar u, scalar v)
+        {
+            const scalar r = 0.1*min(1.0, 4*v), z = 3*(1 - v);
+            return point(r*std::cos(2*M_PI*u), -r*std::sin(2*M_PI*u), z);
+        },
+        16, 60, true
+    );
+    // Drop the collapsed row at the tip: a small triangle fan closes it.
+    const PlainSurface tube = surface;
+    DynamicList<triFace> triangles;
+    for (const triFace& t : tube.triangles)
+    {
+        if (t.mag(tube.points) > 1e-12)
+        {
+            triFace welded = t;
+            for (label& i : welded)
+            {
+                i = mag(tube.points[i] - tube.points[0]) < 1e-9 ? 0 : i;
+            }
+            triangles.append(welded);
+        }
+    }
+    surface.triangles = triangles;
+    for (const PlainSurface& finger : {ragged, surface})
+    {
+        const DiskCut plain(finger);
+        ASSERT_EQ(plain.nSeamEdges(), 0);
+    }
+    const Chart chart = makeChart(surface, *Flattening::New("lscm"));
+    EXPECT_FALSE(chart.fallback);
+    EXPECT_LT(chart.areaRatio, 100);
+    expectOneToOne(surface, chart);
+}
+
+TEST(Chart, FallsBack)
+{
+    const PlainSurface surface = hemisphere(point(0, 0, 0), 1, 3);
+    for (const bool folds : {false, true})
+    {
+        const Chart chart = makeChart(surface, Useless(folds));
+        EXPECT_TRUE(chart.fallback);
+        expectOneToOne(surface, chart);
+        // On the shortest cut: none at all.
+        EXPECT_EQ(chart.parameters.size(), surface.points.size());
+    }
+}
+
+TEST(Chart, IsEmptyWhereNothingHelps)
+{
+    PlainSurface flat = openCylinder(1, 1, 90, 4, 2);
+    for (point& p : flat.points)
+    {
+        p = point(1, 2, 3);
+    }
+    const Chart chart = makeChart(flat, *Flattening::New("lscm"));
+    EXPECT_TRUE(chart.fallback);
+    EXPECT_TRUE(chart.parameters.empty());
+}

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "core/parametrization/SmallestBox.H"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace Foam;
+using namespace Foam::stability;
+
+namespace
+{
+
+vector2D boxSize(const List<vector2D>& points)
+{
+    vector2D low = points[0], high = points[0];
+    for (const vector2D& p : points)
+    {
+        low = min(low, p);
+        high = max(high, p);
+    }
+    return high - low;
+}
+
+} // namespace
+
+// A rectangle with points inside, turned by any angle, gets its own size as box.
+TEST(SmallestBox, IsThatOfATurnedRectangle)
+{
+    for (const scalar angle : {0.0, 0.3, 1.2, 2.5, -0.7, 0.5*M_PI})
+    {
+        List<vector2D> points;
+        for (label i = 0; i <= 8; ++i)
+        {
+            for (label j = 0; j <= 3; ++j)
+            {
+                const scalar x = 5 + 0.7*i, y = 0.2*j - 9;
+                points.append(vector2D(
+                    x*std::cos(angle) - y*std::sin(angle),
+                    x*std::sin(angle) + y*std::cos(angle)
+                ));
+            }
+        }
+        const List<vector2D> before = points;
+        turnIntoSmallestBox(points);
+        const vector2D size = boxSize(points);
+        EXPECT_NEAR(max(size.x(), size.y()), 5.6, 1e-12);
+        EXPECT_NEAR(min(size.x(), size.y()), 0.6, 1e-12);
+
+        // Turned, neither stretched nor mirrored.
+        const vector2D a = before[9] - before[0], b = before[31] - before[0];
+        EXPECT_NEAR(
+            (points[9] - points[0]).perp(points[31] - points[0]), a.perp(b), 1e-12
+        );
+        EXPECT_NEAR((points[9] - points[0]) & (points[31] - points[0]), a & b, 1e-12);
+    }
+}
+
+TEST(SmallestBox, OfOnePointIsLegal)
+{
+    List<vector2D> points(1, vector2D(3, 4));
+    turnIntoSmallestBox(points);
+    EXPECT_EQ(boxSize(points), vector2D(0, 0));
+    points.append(points[0]);
+    turnIntoSmallestBox(points);
+    EXPECT_EQ(boxSize(points), vector2D(0, 0));
+}

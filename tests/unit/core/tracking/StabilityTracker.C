@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "core/tracking/StabilityTracker.H"
+#include "core/Errors.H"
+#include "shapes/BoxMesh.H"
+#include "shapes/ExactAlpha.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+using namespace Foam::stability;
+
+namespace
+{
+
+using Snapshot = std::shared_ptr<const FlowSnapshot>;
+
+const point centre(0.43, 0.47, 0.52);
+constexpr scalar radius = 0.17;
+
+Snapshot snapshot(
+    std::shared_ptr<const CellComplex> complex, const shapes::Shape& shape,
+    const vector& U, scalar time
+)
+{
+    FlowSnapshot result(shapes::snapshotOf(complex, shape));
+    result.U = U;
+    result.boundaryU = U;
+    result.time = time;
+    return std::make_shared<const FlowSnapshot>(std::move(result));
+}
+
+const shapes::Shape nowhere = [](const point&) { return 1.0; };
+
+TrackerOptions options(scalar epsilon = 0.5)
+{
+    TrackerOptions result;
+    result.matching.epsilon.value = epsilon;
+    return result;
+}
+
+// Open on all sides, so that a uniform flow is one.
+std::shared_ptr<const CellComplex> openCube(label n)
+{
+    shapes::BoxOptions box;
+    box.n = Vector<label>(n, n, n);
+    box.kinds = FixedList<BoundaryKind, 6>(BoundaryKind::open);
+    return shapes::box(box);
+}
+
+scalar particleWeight(const InstabilityParticles& particles)
+{
+    scalar sum = 0;
+    for (const InstabilityParticle& particle : particles.all())
+    {
+        sum += particle.weight;
+    }
+    return sum;
+}
+
+} // namespace
+
+TEST(StabilityTracker, theStartIsStableAndParametrized)
+{
+    const auto complex = openCube(20);
+    const SerialExchange exchange;
+    StabilityTracker tracker(options(), exchange);
+    EXPECT_FALSE(tracker.started());
+    tracker.start(snapshot(complex, shapes::sphere(centre, radius), Zero, 0.5));
+    EXPECT_TRUE(tracker.started());
+    const Classification& result = tracker.classify();
+    EXPECT_EQ(result.index, 0);
+    EXPECT_EQ(result.statistics.time, 0.5);
+    EXPECT_EQ(result.statistics.interval, 0);
+    EXPECT_NEAR(result.statistics.stableFraction(), 1, 1e-12);
+    EXPECT_NEAR(result.statistics.coverage(), 1, 1e-12);
+    EXPECT_EQ(result.statistics.nParticles, 0);
+    ASSERT_TRUE(result.parametrization);
+    EXPECT_EQ(result.parametrization->nCharts, 1);
+    // T is the flattened copy: it was not there in the interface's triangles.
+    EXPECT_NE(
+        result.timeSurface.mesh.points.size(), result.interface.mesh.points.size()
+    );
+    EXPECT_NEAR(result.timeSurface.mesh.area(), 4 * 3.14159 * sqr(radius), 0.05);
+}
+
+// A sphere that moves with the flow by 1.3 cells of its own: stable, and the carried
+// origins lag behind by just the displacement.
+TEST(StabilityTracker, aSphereThatMovesWithTheFlowIsStable)
+{
+    const auto complex = openCube(20);
+    const vector U(0.065, -0.02, 0.03);
+    const SerialExchange exchange;
+    StabilityTracker tracker(options(), exchange);
+    tracker.start(snapshot(complex, shapes::sphere(centre, radius), U, 0));
+    tracker.classify();
+    const label nStart = 3;
+    for (label step = 1; step <= nStart; ++step)
+    {
+        tracker.advance(snapshot(
+            complex, shapes::sphere(centre + scalar(step) * U, radius), U, step
+        ));
+        const Statistics& statistics = tracker.classify().statistics;
+        EXPECT_NEAR(statistics.stableFraction(), 1, 1e-12);
+        EXPECT_EQ(statistics.detachedElsewhere + statistics.detachedNearWall, 0);
+        EXPECT_NEAR(statistics.displacement, mag(U) * 20, 1e-6);
+        EXPECT_NEAR(statistics.coverage(), 1, 1e-12);
+        EXPECT_NEAR(statistics.epsilon, 0.5 / 20, 1e-12);
+        EXPECT_NEAR(statistics.drift(), 0.5 / 20, 1e-12);
+    }
+}
+
+// Judged by the tangential part of origin, which has an exact truth.
+TEST(StabilityTracker, originsLagByTheDisplacement)
+{
+    const auto complex = openCube(20);
+    const vector U(0.065, -0.02, 0.03);
+    const SerialExchange exchange;
+    StabilityTracker tracker(options(), exchange);
+    tracker.start(snapshot(complex, shapes::sphere(centre, radius), U, 0));
+    tracker.classify();
+    tracker.advance(snapshot(complex, shapes::sphere(centre + U, radius), U, 1));
+    const InterfaceMesh mesh(tracker.classify().interface.mesh);
+    scalar largest = 0;
+    forAll(mesh.points, pointi)
+    {
+        const vector normal = mesh.points[pointi] - centre - U;
+        const vector error = mesh.origins[pointi] + U - mesh.points[pointi];
+        const vector along = normal / mag(normal);
+        largest = max(largest, mag(error - (error & along) * along));
+    }
+    EXPECT_LT(largest * 20, 0.25);
+    EXPECT_GT(largest * 20, 1e-3); // it is a measured error, not an array of copies
+}
+
+TEST(StabilityTracker, anInterfaceThatMovesWithoutTheFlowDetachesAndAttaches)
+{
+    const auto complex = openCube(20);
+    const SerialExchange exchange;
+    StabilityTracker tracker(options(), exchange);
+    tracker.start(snapshot(complex, shapes::sphere(centre, radius), Zero, 0));
+    tracker.classify();
+    // So far that no point of one sphere is near the other.
+    const point far = centre + vector(0.05, 0.42, 0);
+    tracker.advance(snapshot(complex, shapes::sphere(far, 0.08), Zero, 0.1));
+    const Classification& result = tracker.classify();
+    EXPECT_EQ(result.statistics.stableArea, 0);
+    EXPECT_EQ(result.statistics.coverage(), 0);
+    EXPECT_NEAR(
+        result.statistics.detachedElsewhere, result.timeSurface.mesh.area(), 1e-12
+    );
+    EXPECT_NEAR(
+        particleWeight(tracker.particles()), result.timeSurface.mesh.area(), 1e-12
+    );
+    EXPECT_EQ(
+        tracker.particles().size(),
+        result.timeSurface.mesh.points.size() + result.timeSurface.mesh.triangles.size()
+    );
+    EXPECT_EQ(result.statistics.detachedFraction[7], 1);
+
+    // They drift on with the flow, none is seeded twice.
+    const label n = tracker.particles().size();
+    const point before = tracker.particles().all()[7].path.x;
+    const vector U(0, 0, 0.2);
+    tracker.advance(snapshot(complex, shapes::sphere(far + 0.05 * U, 0.08), U, 0.2));
+    tracker.classify();
+    EXPECT_EQ(tracker.particles().size(), n);
+    // U grows linearly from 0 to U over 0.1 s
+    EXPECT_LT(
+        mag(tracker.particles().all()[7].path.x - before - 0.05 * U * 0.2 / 0.2), 1e-9
+    );
+    EXPECT_EQ(tracker.particles().all()[7].detachmentTime, 0.1);
+}
+
+TEST(StabilityTracker, anInterfaceThatAppearsLaterIsAttachedThenTracked)
+{
+    const auto complex = openCube(16);
+    const SerialExchange exchange;
+    StabilityTracker tracker(options(), exchange);
+    tracker.start(snapshot(complex, nowhere, Zero, 0));
+    const Classification& empty = tracker.classify();
+    EXPECT_TRUE(empty.interface.mesh.empty());
+    EXPECT_FALSE(empty.parametrization);
+
+    tracker.advance(snapshot(complex, shapes::sphere(centre, radius), Zero, 1));
+    const Classification& born = tracker.classify();
+    EXPECT_EQ(born.statistics.stableArea, 0);
+    EXPECT_GT(born.statistics.attachedArea, 0.3);
+    EXPECT_TRUE(born.parametrization);
+    EXPECT_EQ(tracker.particles().size(), 0);
+
+    tracker.advance(snapshot(complex, shapes::sphere(centre, radius), Zero, 2));
+    const Classification& later = tracker.classify();
+    EXPECT_NEAR(later.statistics.stableFraction(), 1, 1e-12);
+    EXPECT_NEAR(later.statistics.coverage(), 1, 1e-12);
+}
+
+TEST(StabilityTracker, anInterfaceThatVanishesDetachesOnce)
+{
+    const auto complex = openCube(16);
+    const SerialExchange exchange;
+    StabilityTracker tracker(options(), exchange);
+    tracker.start(snapshot(complex, shapes::sphere(centre, radius), Zero, 0));
+    tracker.classify();
+    for (label step = 1; step < 4; ++step)
+    {
+        tracker.advance(snapshot(complex, nowhere, Zero, step));
+        const Statistics& statistics = tracker.classify().statistics;
+        EXPECT_EQ(statistics.detachedElsewhere > 0, step == 1);
+        EXPECT_EQ(statistics.area, 0);
+    }
+    EXPECT_GT(tracker.particles().size(), 0);
+}
+
+TEST(StabilityTracker, manyAdvancesAreOneInterval)
+{
+    const auto complex = openCube(16);
+    const vector U(0.1, 0.03, -0.02);
+    const SerialExchange exchange;
+    StabilityTracker one(options(), exchange);
+    StabilityTracker many(options(), exchange);
+    const auto at = [&](scalar time)
+    { return snapshot(complex, shapes::sphere(centre + time * U, radius), U, time); };
+    one.start(at(0));
+    one.classify();
+    one.advance(at(0.8));
+    many.start(at(0));
+    many.classify();
+    for (const scalar time : {0.1, 0.25, 0.7, 0.8})
+    {
+        many.advance(at(time));
+    }
+    const ClassifiedSurface a(one.classify().timeSurface);
+    const ClassifiedSurface& b = many.classify().timeSurface;
+    EXPECT_NEAR(one.classify().statistics.interval, 0, 1e-15);
+    ASSERT_EQ(a.mesh.points.size(), b.mesh.points.size());
+    forAll(a.mesh.points, i)
+    {
+        EXPECT_LT(mag(a.mesh.points[i] - b.mesh.points[i]), 1e-12);
+    }
+}
+
+// A slab that the flow pushes out through the top.
+TEST(StabilityTracker, whatLeavesIsNeitherStableNorDetached)
+{
+    shapes::BoxOptions box;
+    box.n = Vector<label>(10, 10, 10);
+    box.kinds[5] = BoundaryKind::open;
+    box.kinds[4] = BoundaryKind::open;
+    const auto complex = shapes::box(box);
+    const vector U(0, 0, 0.2);
+    const SerialExchange exchange;
+    StabilityTracker tracker(options(), exchange);
+    const auto at = [&](scalar z, scalar time)
+    {
+        return snapshot(
+            complex, shapes::halfSpace(point(0, 0, z), vector(0, 0, 1)), U, time
+        );
+    };
+    tracker.start(at(0.877, 0));
+    tracker.classify();
+    tracker.advance(at(1.077, 1));
+    const Statistics& statistics = tracker.classify().statistics;
+    EXPECT_NEAR(statistics.leftArea, 1, 1e-9);
+    EXPECT_EQ(statistics.detachedElsewhere + statistics.detachedNearWall, 0);
+    EXPECT_EQ(statistics.area, 0);
+    EXPECT_EQ(tracker.particles().size(), 0);
+}
+
+TEST(StabilityTracker, refusesTimeThatGoesBackAndUnknownMethods)
+{
+    const auto complex = openCube(4);
+    const SerialExchange exchange;
+    StabilityTracker tracker(options(), exchange);
+    tracker.start(snapshot(complex, nowhere, Zero, 1));
+    EXPECT_THROW(tracker.advance(snapshot(complex, nowhere, Zero, 1)), BadInput);
+    TrackerOptions unknown;
+    unknown.reconstruction.method = "magic";
+    EXPECT_THROW(StabilityTracker(unknown, exchange), BadInput);
+    unknown = TrackerOptions();
+    unknown.parametrization.flattening = "iron";
+    EXPECT_THROW(StabilityTracker(unknown, exchange), BadInput);
+}
+
+TEST(StabilityTracker, threadsChangeNothing)
+{
+    const auto complex = openCube(16);
+    const vector U(0.1, 0.03, -0.02);
+    const SerialExchange exchange;
+    InterfaceMesh meshes[2];
+    scalarField distances[2];
+    for (const label run : {0, 1})
+    {
+        TrackerOptions threaded(options(0.1));
+        threaded.nThreads = run ? 4 : 1;
+        StabilityTracker tracker(threaded, exchange);
+        for (label step = 0; step < 3; ++step)
+        {
+            const Snapshot next = snapshot(
+                complex, shapes::sphere(centre + 0.7 * step * U, radius), U, step
+            );
+            step ? tracker.advance(next) : tracker.start(next);
+            tracker.classify();
+        }
+        tracker.advance(snapshot(complex, shapes::sphere(centre + 2 * U, radius), U, 3)
+        );
+        const Classification& result = tracker.classify();
+        meshes[run] = result.interface.mesh;
+        distances[run] = result.interface.distance;
+        EXPECT_GT(tracker.particles().size(), 0);
+    }
+    EXPECT_EQ(meshes[0].points, meshes[1].points);
+    EXPECT_EQ(meshes[0].origins, meshes[1].origins);
+    EXPECT_EQ(meshes[0].parameters, meshes[1].parameters);
+    EXPECT_EQ(distances[0], distances[1]);
+}

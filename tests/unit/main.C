@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "error.H"
+
+#include <gtest/gtest.h>
+
+int main(int argc, char* argv[])
+{
+    // OpenFOAM's fatal errors become failures of one test instead of the program's end.
+    Foam::FatalError.throwExceptions();
+    Foam::FatalIOError.throwExceptions();
+    ::testing::InitGoogleTest(&argc, argv);
+    return RUN_ALL_TESTS();
+}

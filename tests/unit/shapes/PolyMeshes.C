@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "shapes/PolyMeshes.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+using namespace Foam::stability;
+
+namespace
+{
+
+shapes::BoxOptions oblongBox()
+{
+    shapes::BoxOptions options;
+    options.min = point(-0.2, 0.1, 0);
+    options.max = point(0.7, 0.7, 1.2);
+    options.n = Vector<label>(5, 3, 6);
+    return options;
+}
+
+// Closed cells, positive volumes that fill the box, normals from owner to neighbour.
+void expectSound(const CellComplex& complex)
+{
+    EXPECT_NEAR(sum(complex.cellVolumes()), 0.9 * 0.6 * 1.2, 1e-12);
+    EXPECT_GT(min(complex.cellVolumes()), 0);
+    for (label celli = 0; celli < complex.nCells(); ++celli)
+    {
+        vector sum(Zero);
+        for (const label facei : complex.cellFaces()[celli])
+        {
+            const scalar sign = complex.owner()[facei] == celli ? 1 : -1;
+            const vector S = sign * complex.faceAreas()[facei];
+            const vector arm =
+                complex.faceCentres()[facei] - complex.cellCentres()[celli];
+            EXPECT_GT(arm & S, 0);
+            sum += S;
+        }
+        EXPECT_LT(mag(sum), 1e-13);
+    }
+}
+
+} // namespace
+
+TEST(PolyMeshes, perturbedBoxIsSound)
+{
+    const CellComplex complex(shapes::perturbedBox(oblongBox()));
+    expectSound(complex);
+    EXPECT_GT(max(complex.cellVolumes()) / min(complex.cellVolumes()), 1.2);
+}
+
+TEST(PolyMeshes, tetrahedralBoxIsSound)
+{
+    const CellComplex complex(shapes::tetrahedralBox(oblongBox()));
+    expectSound(complex);
+    EXPECT_EQ(complex.nCells(), 6 * 90);
+    EXPECT_EQ(complex.faces()[0].size(), 3);
+}
+
+TEST(PolyMeshes, refinedBoxIsSoundAndHasPolyhedra)
+{
+    const auto lower = [](const point& x) { return x.z() < 0.5 && x.x() > 0; };
+    const CellComplex complex(shapes::refinedBox(oblongBox(), lower));
+    expectSound(complex);
+    label mostFaces = 0;
+    label mostCorners = 0;
+    for (label celli = 0; celli < complex.nCells(); ++celli)
+    {
+        mostFaces = max(mostFaces, complex.cellFaces()[celli].size());
+    }
+    for (const face& f : complex.faces())
+    {
+        mostCorners = max(mostCorners, f.size());
+    }
+    EXPECT_GT(mostFaces, 6);
+    EXPECT_GT(mostCorners, 4);
+}
