@@ -43,7 +43,7 @@ Mesh unitMesh(const PlainSurface& surface)
     {
         area += t.mag(surface.points);
     }
-    const scalar unit = std::sqrt(area/surface.triangles.size());
+    const scalar unit = std::sqrt(area / surface.triangles.size());
     if (!(unit > 0))
     {
         throw NumericalFailure("A chart without area cannot be flattened.");
@@ -51,12 +51,13 @@ Mesh unitMesh(const PlainSurface& surface)
     Mesh mesh;
     for (const point& p : surface.points)
     {
-        const point x = (p - centre)/unit;
+        const point x = (p - centre) / unit;
         mesh.add_vertex(Kernel::Point_3(x.x(), x.y(), x.z()));
     }
     for (const triFace& t : surface.triangles)
     {
-        if (mesh.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2])) == Mesh::null_face())
+        if (mesh.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2]))
+            == Mesh::null_face())
         {
             throw NumericalFailure("A chart that is not manifold cannot be flattened.");
         }
@@ -96,7 +97,8 @@ std::pair<label, label> farPair(const PlainSurface& surface, const labelList& lo
 
 // `start` is a point of the boundary.
 template<class Parameterizer>
-List<vector2D> parameterized(Mesh& mesh, label start, const Parameterizer& parameterizer)
+List<vector2D>
+parameterized(Mesh& mesh, label start, const Parameterizer& parameterizer)
 {
     const Halfedge border = mesh.halfedge(Vertex(start));
     if (!mesh.is_border(border))
@@ -125,8 +127,7 @@ void orient(const PlainSurface& surface, List<vector2D>& chart)
     scalar area = 0;
     for (const triFace& t : surface.triangles)
     {
-        area += (chart[t[1]] - chart[t[0]])
-            .perp(chart[t[2]] - chart[t[0]]);
+        area += (chart[t[1]] - chart[t[0]]).perp(chart[t[2]] - chart[t[0]]);
     }
     if (area < 0)
     {

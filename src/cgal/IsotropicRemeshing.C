@@ -41,12 +41,13 @@ Mesh toCgal(const PlainSurface& surface, const point& centre, scalar unit)
     Mesh mesh;
     for (const point& p : surface.points)
     {
-        const point x = (p - centre)/unit;
+        const point x = (p - centre) / unit;
         mesh.add_vertex(Kernel::Point_3(x.x(), x.y(), x.z()));
     }
     for (const triFace& t : surface.triangles)
     {
-        if (mesh.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2])) == Mesh::null_face())
+        if (mesh.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2]))
+            == Mesh::null_face())
         {
             return Mesh();
         }
@@ -64,7 +65,7 @@ PlainSurface fromCgal(Mesh& mesh, const point& centre, scalar unit)
     {
         const Kernel::Point_3& x = mesh.point(v);
         surface.points[static_cast<label>(v)] =
-            centre + unit*point(x.x(), x.y(), x.z());
+            centre + unit * point(x.x(), x.y(), x.z());
     }
     for (const Face f : mesh.faces())
     {
@@ -90,8 +91,9 @@ std::vector<bool> boundaryCorners(const Mesh& mesh)
             const Kernel::Point_3& x = mesh.point(mesh.target(h));
             const Kernel::Vector_3 in = x - mesh.point(mesh.source(h));
             const Kernel::Vector_3 out = mesh.point(mesh.target(mesh.next(h))) - x;
-            const double lengths = std::sqrt(in.squared_length()*out.squared_length());
-            corners[mesh.target(h)] = in*out < 0.5*lengths;
+            const double lengths =
+                std::sqrt(in.squared_length() * out.squared_length());
+            corners[mesh.target(h)] = in * out < 0.5 * lengths;
         }
     }
     return corners;
@@ -124,19 +126,18 @@ bool isSound(const PlainSurface& copy, const SurfaceShape& original)
     }
     for (const triFace& t : copy.triangles)
     {
-        const scalar longest = max(
-            mag(copy.points[t[1]] - copy.points[t[0]]),
-            max(mag(copy.points[t[2]] - copy.points[t[1]]),
-                mag(copy.points[t[0]] - copy.points[t[2]]))
-        );
-        if (!(t.mag(copy.points) > 1e-6*longest*longest))
+        const scalar longest =
+            max(mag(copy.points[t[1]] - copy.points[t[0]]),
+                max(mag(copy.points[t[2]] - copy.points[t[1]]),
+                    mag(copy.points[t[0]] - copy.points[t[2]])));
+        if (!(t.mag(copy.points) > 1e-6 * longest * longest))
         {
             return false;
         }
     }
     const SurfaceShape shape = shapeOf(copy.points.size(), copy.triangles);
     return copy.triangles.size() >= fewestTriangles && shape.manifold
-        && shape.euler == original.euler && shape.nLoops == original.nLoops;
+           && shape.euler == original.euler && shape.nLoops == original.nLoops;
 }
 
 // The corner of a triangle of the original nearest to x; if asked for, one on the
@@ -175,13 +176,17 @@ scalar largestSquaredDistance(const Mesh& from, const Tree& to)
 }
 
 // Fills largestDistance and nearest.
-void compare(const Mesh& original, const Mesh& copy, scalar unit, RemeshingResult& result)
+void compare(
+    const Mesh& original, const Mesh& copy, scalar unit, RemeshingResult& result
+)
 {
     const Tree onOriginal(faces(original).first, faces(original).second, original);
     const Tree onCopy(faces(copy).first, faces(copy).second, copy);
-    result.largestDistance = unit*std::sqrt(max(
-        largestSquaredDistance(copy, onOriginal), largestSquaredDistance(original, onCopy)
-    ));
+    result.largestDistance = unit
+                             * std::sqrt(
+                                 max(largestSquaredDistance(copy, onOriginal),
+                                     largestSquaredDistance(original, onCopy))
+                             );
     result.nearest.setSize(copy.number_of_vertices());
     for (const Vertex v : copy.vertices())
     {
@@ -210,9 +215,9 @@ RemeshingResult remesh(const PlainSurface& surface, scalar edgeLength)
     {
         area += t.mag(surface.points);
     }
-    const scalar triangleArea = 0.25*std::sqrt(3.0)*edgeLength*edgeLength;
+    const scalar triangleArea = 0.25 * std::sqrt(3.0) * edgeLength * edgeLength;
     if (surface.triangles.size() < fewestTriangles || !(edgeLength > 0)
-        || !(area > fewestTriangles*triangleArea))
+        || !(area > fewestTriangles * triangleArea))
     {
         return keep(surface);
     }
@@ -230,9 +235,7 @@ RemeshingResult remesh(const PlainSurface& surface, scalar edgeLength)
 
         RemeshingResult result;
         result.surface = fromCgal(mesh, centre, edgeLength);
-        if (!isSound(
-                result.surface, shapeOf(surface.points.size(), surface.triangles)
-            ))
+        if (!isSound(result.surface, shapeOf(surface.points.size(), surface.triangles)))
         {
             return keep(surface);
         }

@@ -4,9 +4,11 @@
 #include "foam/AnalysisSession.H"
 
 #include "core/Errors.H"
+#include "clockTime.H"
 #include "fvMesh.H"
 
 #include <cmath>
+#include <optional>
 
 namespace Foam::stability
 {
@@ -14,8 +16,19 @@ namespace Foam::stability
 namespace
 {
 
-// Beyond so many cells between classifications p is resampled from afar.
-constexpr scalar largestDisplacement = 2.5;
+// Adds the seconds of its life to a counter.
+class Busy
+{
+public:
+    explicit Busy(scalar& seconds) : seconds_(seconds) {}
+    ~Busy() { seconds_ += clock_.elapsedTime(); }
+    Busy(const Busy&) = delete;
+    Busy& operator=(const Busy&) = delete;
+
+private:
+    scalar& seconds_;
+    const clockTime clock_;
+};
 
 void checkFinite(
     const std::vector<scalar>& values, const std::vector<std::string>& columns
@@ -54,12 +67,12 @@ void AnalysisSession::expect(const instantList& times)
         );
     }
     fields_.require(times);
-    nExpected_ = times.size();
+    progress_.expect(times.size());
 }
 
 std::shared_ptr<const FlowSnapshot> AnalysisSession::takeSnapshot()
 {
-    const clockTime clock;
+    const Busy busy(readingSeconds_);
     const std::string missing = fields_.missing();
     if (!missing.empty())
     {
@@ -67,9 +80,7 @@ std::shared_ptr<const FlowSnapshot> AnalysisSession::takeSnapshot()
     }
     const tmp<volScalarField> alpha(fields_.alpha());
     const tmp<volVectorField> U(fields_.U());
-    auto snapshot = snapshots_.take(alpha(), U(), fields_.time());
-    readingSeconds_ += clock.elapsedTime();
-    return snapshot;
+    return snapshots_.take(alpha(), U(), fields_.time());
 }
 
 fileName AnalysisSession::resultPath() const
@@ -84,6 +95,7 @@ fileName AnalysisSession::resultPath() const
 
 void AnalysisSession::advance()
 {
+    const Busy busy(busySeconds_);
     if (meshChanged_)
     {
         throw BadInput(
@@ -106,24 +118,28 @@ void AnalysisSession::advance()
 
 void AnalysisSession::classify()
 {
-    if (!tracker_.started() || (nClassified_ > 0 && classifiedTime_ == tracker_.time()))
+    if (!tracker_.started() || (anyClassified_ && classifiedTime_ == tracker_.time()))
     {
         return;
     }
+    std::optional<Busy> busy(busySeconds_);
     const Classification& classification = tracker_.classify();
     checkFinite(classification.statistics.values(), Statistics::columns());
     classifiedTime_ = tracker_.time();
-    ++nClassified_;
+    anyClassified_ = true;
     write(classification);
-    reportProgress(classification);
-    warn(classification);
+    busy.reset();
+    progress_.classified(
+        classification, mesh_.time().timeName(), busySeconds_, controls_.tracker
+    );
 }
 
 void AnalysisSession::write(const Classification& classification)
 {
-    const clockTime clock;
-    folder_->write(classification, tracker_.particles());
-    writingSeconds_ += clock.elapsedTime();
+    {
+        const Busy busy(writingSeconds_);
+        folder_->write(classification, tracker_.particles());
+    }
     writeTimings(classification);
 }
 
@@ -153,7 +169,7 @@ void AnalysisSession::announce() const
 {
     const TrackerOptions& options = controls_.tracker;
     const Epsilon& epsilon = options.matching.epsilon;
-    if (report_)
+    if (progress_.shown())
     {
         Info << "interfaceStability:" << nl << "    fields " << fields_.alphaName()
              << " (from " << fields_.source().c_str() << ") and " << fields_.UName()
@@ -162,77 +178,6 @@ void AnalysisSession::announce() const
              << (epsilon.relative ? " cells" : " m") << ", " << options.nThreads
              << " threads" << nl << "    results in "
              << mesh_.time().relativePath(folder_->path()) << nl << endl;
-    }
-}
-
-void AnalysisSession::reportProgress(const Classification& c)
-{
-    if (!report_)
-    {
-        return;
-    }
-    const Statistics& s = c.statistics;
-    const scalar elapsed = clock_.elapsedTime();
-    Info << "interfaceStability: step " << nClassified_;
-    if (nExpected_ > 0)
-    {
-        Info << " of " << nExpected_;
-    }
-    Info << ", time " << s.time << " s: " << s.nVertices << " vertices, "
-         << 100 * s.stableFraction() << " % stable, "
-         << s.detachedNearWall + s.detachedElsewhere << " m2 detached, " << s.nParticles
-         << " particles; moved " << s.displacement << " cells, epsilon/interval "
-         << s.drift() << " m/s; " << elapsed << " s";
-    if (nExpected_ > nClassified_)
-    {
-        const scalar left = elapsed / nClassified_ * (nExpected_ - nClassified_);
-        Info << ", about " << std::ceil(left) << " s left";
-    }
-    Info << endl;
-
-    if (c.parametrization)
-    {
-        const ParametrizationResult& p = *c.parametrization;
-        Info << "    parametrized: " << p.nCharts << " charts, " << p.nFallbacks
-             << " of them by the fallback of the flattening, " << p.nKept
-             << " not remeshed" << endl;
-    }
-    const IntegrationCounts& surface = c.timeSurfaceCounts;
-    const IntegrationCounts& particles = c.particleCounts;
-    if (surface.nStuck + surface.nLost + particles.nStuck + particles.nLost > 0)
-    {
-        Info << "    pathlines stuck " << surface.nStuck << ", lost " << surface.nLost
-             << "; particles stuck " << particles.nStuck << ", lost " << particles.nLost
-             << endl;
-    }
-    if (c.transfer.nUnresolved > 0)
-    {
-        Info << "    triangles whose seam could not be cut: " << c.transfer.nUnresolved
-             << " of " << c.transfer.nCrossing << endl;
-    }
-}
-
-void AnalysisSession::warn(const Classification& c)
-{
-    const scalar displacement = c.statistics.displacement;
-    if (displacement > largestDisplacement && !warnedDisplacement_)
-    {
-        warnedDisplacement_ = true;
-        Warning << "interfaceStability: at time " << c.statistics.time
-                << " s the interface had moved " << displacement
-                << " cells (rms) since the last classified time; above "
-                << largestDisplacement
-                << " the results lose accuracy: write times more often. Reported once; "
-                   "see the column displacement of stability.dat."
-                << endl;
-    }
-    if (c.nSkippedParticles > 0 && !warnedParticles_)
-    {
-        warnedParticles_ = true;
-        Warning << "interfaceStability: at time " << c.statistics.time
-                << " s the number of particles reached maxParticles ("
-                << controls_.tracker.maxParticles << "); " << c.nSkippedParticles
-                << " found no room, and no more will be seeded. Reported once." << endl;
     }
 }
 

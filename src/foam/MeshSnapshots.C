@@ -83,6 +83,22 @@ Field<Type> boundaryValues(const GeometricField<Type, fvPatchField, volMesh>& fi
     return values;
 }
 
+// At walls and symmetries the volume fraction is that of the cell. A patch of a contact
+// angle extrapolates, beyond [0, 1] if it is told to, and at the first time it does so
+// in the memory of a solver but not on disk.
+scalarField boundaryAlpha(const volScalarField& alpha, const CellComplex& complex)
+{
+    scalarField values(boundaryValues(alpha));
+    forAll(values, i)
+    {
+        if (complex.kinds()[i] != BoundaryKind::open)
+        {
+            values[i] = alpha[complex.owner()[complex.nInternalFaces() + i]];
+        }
+    }
+    return values;
+}
+
 } // namespace
 
 MeshSnapshots::MeshSnapshots(const fvMesh& mesh)
@@ -98,7 +114,7 @@ std::shared_ptr<const FlowSnapshot> MeshSnapshots::take(
     snapshot->complex = complex_;
     snapshot->time = time;
     snapshot->alphas = List<scalarField>(1, alpha.primitiveField());
-    snapshot->boundaryAlphas = List<scalarField>(1, boundaryValues(alpha));
+    snapshot->boundaryAlphas = List<scalarField>(1, boundaryAlpha(alpha, *complex_));
     snapshot->U = U.primitiveField();
     snapshot->boundaryU = boundaryValues(U);
     try

@@ -25,7 +25,7 @@ bool separates(const Corners& a, const Corners& b, scalar tolerance)
     const scalar turn = (a[1] - a[0]).perp(a[2] - a[0]) < 0 ? -1 : 1;
     for (label k = 0; k < 3; ++k)
     {
-        const vector2D along = turn*(a[(k + 1) % 3] - a[k]);
+        const vector2D along = turn * (a[(k + 1) % 3] - a[k]);
         const scalar length = mag(along);
         if (length <= 0)
         {
@@ -34,7 +34,7 @@ bool separates(const Corners& a, const Corners& b, scalar tolerance)
         scalar deepest = -VGREAT;
         for (const vector2D& p : b)
         {
-            deepest = std::max(deepest, along.perp(p - a[k])/length);
+            deepest = std::max(deepest, along.perp(p - a[k]) / length);
         }
         if (deepest <= tolerance)
         {
@@ -67,9 +67,9 @@ label countOverlaps(const List<vector2D>& points, const List<triFace>& triangles
     const auto cell = [&](scalar x, label axis)
     {
         const scalar span = std::max(high[axis] - low[axis], VSMALL);
-        return std::min(n - 1, std::max(0, label(n*(x - low[axis])/span)));
+        return std::min(n - 1, std::max(0, label(n * (x - low[axis]) / span)));
     };
-    std::vector<std::vector<label>> bins(n*n);
+    std::vector<std::vector<label>> bins(n * n);
     std::vector<Corners> shapes;
     for (const triFace& t : triangles)
     {
@@ -80,7 +80,7 @@ label countOverlaps(const List<vector2D>& points, const List<triFace>& triangles
         {
             for (label j = cell(from.y(), 1); j <= cell(to.y(), 1); ++j)
             {
-                bins[i + n*j].push_back(shapes.size());
+                bins[i + n * j].push_back(shapes.size());
             }
         }
         shapes.push_back(c);
@@ -94,7 +94,7 @@ label countOverlaps(const List<vector2D>& points, const List<triFace>& triangles
             {
                 const Corners& a = shapes[bin[i]];
                 const Corners& b = shapes[bin[j]];
-                const scalar tolerance = 1e-9*std::min(sizeOf(a), sizeOf(b));
+                const scalar tolerance = 1e-9 * std::min(sizeOf(a), sizeOf(b));
                 if (!separates(a, b, tolerance) && !separates(b, a, tolerance))
                 {
                     overlaps.emplace(bin[i], bin[j]);

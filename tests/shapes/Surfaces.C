@@ -4,6 +4,7 @@
 #include "shapes/Surfaces.H"
 
 #include "core/parametrization/SurfaceShape.H"
+#include "shapes/Welder.H"
 #include "DynamicList.H"
 #include "mathematicalConstants.H"
 
@@ -18,31 +19,7 @@ namespace Foam::stability::shapes
 namespace
 {
 
-constexpr scalar twoPi = 2*M_PI;
-
-// Points by key, welded.
-template<class Key>
-class Welder
-{
-public:
-    label operator()(const Key& key, const point& x)
-    {
-        const auto [entry, fresh] = numbers_.emplace(key, points_.size());
-        if (fresh)
-        {
-            points_.append(x);
-        }
-        return entry->second;
-    }
-
-    const point& operator[](label i) const { return points_[i]; }
-
-    pointField points() const { return pointField(points_); }
-
-private:
-    std::map<Key, label> numbers_;
-    DynamicList<point> points_;
-};
+constexpr scalar twoPi = 2 * M_PI;
 
 } // namespace
 
@@ -57,7 +34,7 @@ PlainSurface grid(
     {
         i = closedU ? i % nu : i;
         j = closedV ? j % nv : j;
-        return welder(labelPair(i, j), position(scalar(i)/nu, scalar(j)/nv));
+        return welder(labelPair(i, j), position(scalar(i) / nu, scalar(j) / nv));
     };
     DynamicList<triFace> triangles;
     for (label j = 0; j < nv; ++j)
@@ -75,21 +52,21 @@ PlainSurface grid(
     return surface;
 }
 
-PlainSurface openCylinder(scalar radius, scalar height, scalar angle, label nu, label nv)
+PlainSurface
+openCylinder(scalar radius, scalar height, scalar angle, label nu, label nv)
 {
     return openCone(radius, radius, height, angle, nu, nv);
 }
 
-PlainSurface openCone(
-    scalar bottom, scalar top, scalar height, scalar angle, label nu, label nv
-)
+PlainSurface
+openCone(scalar bottom, scalar top, scalar height, scalar angle, label nu, label nv)
 {
     return grid(
         [=](scalar u, scalar v)
         {
-            const scalar r = bottom + v*(top - bottom);
-            const scalar phi = u*angle/360*twoPi;
-            return point(r*std::cos(phi), r*std::sin(phi), v*height);
+            const scalar r = bottom + v * (top - bottom);
+            const scalar phi = u * angle / 360 * twoPi;
+            return point(r * std::cos(phi), r * std::sin(phi), v * height);
         },
         nu, nv
     );
@@ -100,8 +77,8 @@ PlainSurface annulus(scalar inner, scalar outer, label nAround, label nAcross)
     return grid(
         [=](scalar u, scalar v)
         {
-            const scalar r = outer + v*(inner - outer);
-            return point(r*std::cos(twoPi*u), r*std::sin(twoPi*u), 0);
+            const scalar r = outer + v * (inner - outer);
+            return point(r * std::cos(twoPi * u), r * std::sin(twoPi * u), 0);
         },
         nAround, nAcross, true
     );
@@ -112,9 +89,10 @@ PlainSurface torus(scalar major, scalar minor, label nAround, label nAcross)
     return grid(
         [=](scalar u, scalar v)
         {
-            const scalar r = major + minor*std::cos(twoPi*v);
+            const scalar r = major + minor * std::cos(twoPi * v);
             return point(
-                r*std::cos(twoPi*u), r*std::sin(twoPi*u), minor*std::sin(twoPi*v)
+                r * std::cos(twoPi * u), r * std::sin(twoPi * u),
+                minor * std::sin(twoPi * v)
             );
         },
         nAround, nAcross, true, true
@@ -123,20 +101,20 @@ PlainSurface torus(scalar major, scalar minor, label nAround, label nAcross)
 
 PlainSurface sphere(const point& centre, scalar radius, label levels)
 {
-    const scalar g = 0.5*(1 + std::sqrt(5.0));
+    const scalar g = 0.5 * (1 + std::sqrt(5.0));
     PlainSurface surface;
-    surface.points = pointField({
-        point(-1, g, 0), point(1, g, 0), point(-1, -g, 0), point(1, -g, 0),
-        point(0, -1, g), point(0, 1, g), point(0, -1, -g), point(0, 1, -g),
-        point(g, 0, -1), point(g, 0, 1), point(-g, 0, -1), point(-g, 0, 1)
-    });
-    surface.triangles = List<triFace>({
-        triFace(0, 11, 5), triFace(0, 5, 1), triFace(0, 1, 7), triFace(0, 7, 10),
-        triFace(0, 10, 11), triFace(1, 5, 9), triFace(5, 11, 4), triFace(11, 10, 2),
-        triFace(10, 7, 6), triFace(7, 1, 8), triFace(3, 9, 4), triFace(3, 4, 2),
-        triFace(3, 2, 6), triFace(3, 6, 8), triFace(3, 8, 9), triFace(4, 9, 5),
-        triFace(2, 4, 11), triFace(6, 2, 10), triFace(8, 6, 7), triFace(9, 8, 1)
-    });
+    surface.points = pointField(
+        {point(-1, g, 0), point(1, g, 0), point(-1, -g, 0), point(1, -g, 0),
+         point(0, -1, g), point(0, 1, g), point(0, -1, -g), point(0, 1, -g),
+         point(g, 0, -1), point(g, 0, 1), point(-g, 0, -1), point(-g, 0, 1)}
+    );
+    surface.triangles = List<triFace>(
+        {triFace(0, 11, 5),  triFace(0, 5, 1),  triFace(0, 1, 7),  triFace(0, 7, 10),
+         triFace(0, 10, 11), triFace(1, 5, 9),  triFace(5, 11, 4), triFace(11, 10, 2),
+         triFace(10, 7, 6),  triFace(7, 1, 8),  triFace(3, 9, 4),  triFace(3, 4, 2),
+         triFace(3, 2, 6),   triFace(3, 6, 8),  triFace(3, 8, 9),  triFace(4, 9, 5),
+         triFace(2, 4, 11),  triFace(6, 2, 10), triFace(8, 6, 7),  triFace(9, 8, 1)}
+    );
     for (label level = 0; level < levels; ++level)
     {
         DynamicList<point> points(surface.points);
@@ -147,7 +125,7 @@ PlainSurface sphere(const point& centre, scalar radius, label levels)
                 middles.emplace(std::minmax(a, b), points.size());
             if (fresh)
             {
-                points.append(0.5*(points[a] + points[b]));
+                points.append(0.5 * (points[a] + points[b]));
             }
             return entry->second;
         };
@@ -166,7 +144,7 @@ PlainSurface sphere(const point& centre, scalar radius, label levels)
     }
     for (point& p : surface.points)
     {
-        p = centre + radius*p/mag(p);
+        p = centre + radius * p / mag(p);
     }
     return surface;
 }
@@ -199,7 +177,7 @@ PlainSurface columns(const std::vector<std::string>& plan)
     const auto filled = [&](label i, label j, label k)
     {
         return k == 0 && j >= 0 && j < label(plan.size()) && i >= 0
-            && i < label(plan[j].size()) && plan[j][i] == 'X';
+               && i < label(plan[j].size()) && plan[j][i] == 'X';
     };
     const auto face = [&](const Node& base, label axis, bool up)
     {
@@ -236,98 +214,6 @@ PlainSurface columns(const std::vector<std::string>& plan)
                     }
                 }
             }
-        }
-    }
-    return {welder.points(), List<triFace>(std::move(triangles))};
-}
-
-namespace
-{
-
-// Cuts one tetrahedron of grid nodes; `crossing(a, b)` is the point on an edge.
-template<class Crossing>
-void cutTetrahedron(
-    const std::array<label, 4>& nodes, const scalarField& values,
-    const pointField& positions, const Crossing& crossing, DynamicList<triFace>& triangles,
-    const Welder<labelPair>& points
-)
-{
-    DynamicList<label> inside, outside;
-    for (const label node : nodes)
-    {
-        (values[node] < 0 ? inside : outside).append(node);
-    }
-    if (inside.empty() || outside.empty())
-    {
-        return;
-    }
-    DynamicList<triFace> cuts;
-    if (inside.size() == 2)
-    {
-        const label a = crossing(inside[0], outside[0]);
-        const label b = crossing(inside[0], outside[1]);
-        const label c = crossing(inside[1], outside[1]);
-        const label d = crossing(inside[1], outside[0]);
-        cuts.append(triFace(a, b, c));
-        cuts.append(triFace(a, c, d));
-    }
-    else
-    {
-        const bool one = inside.size() == 1;
-        const label tip = one ? inside[0] : outside[0];
-        const labelUList& base = one ? outside : inside;
-        cuts.append(triFace(
-            crossing(tip, base[0]), crossing(tip, base[1]), crossing(tip, base[2])
-        ));
-    }
-    const vector outwards = positions[outside[0]] - positions[inside[0]];
-    for (triFace t : cuts)
-    {
-        const vector normal = (points[t[1]] - points[t[0]]) ^ (points[t[2]] - points[t[0]]);
-        triangles.append((normal & outwards) < 0 ? triFace(t[0], t[2], t[1]) : t);
-    }
-}
-
-} // namespace
-
-PlainSurface marchingTetrahedra(
-    const std::function<scalar(const point&)>& level, const boundBox& box, label n
-)
-{
-    const label m = n + 1;
-    pointField positions(m*m*m);
-    scalarField values(m*m*m);
-    forAll(positions, i)
-    {
-        const vector fraction(i % m, (i/m) % m, i/(m*m));
-        positions[i] = box.min() + cmptMultiply(fraction/n, box.span());
-        values[i] = level(positions[i]);
-    }
-    Welder<labelPair> welder;
-    const auto crossing = [&](label a, label b)
-    {
-        if (a > b)
-        {
-            std::swap(a, b);
-        }
-        // Kept off the nodes, as the reconstruction does.
-        const scalar t = max(1e-3, min(1 - 1e-3, values[a]/(values[a] - values[b])));
-        return welder(labelPair(a, b), positions[a] + t*(positions[b] - positions[a]));
-    };
-    // Kuhn's six tetrahedra: the paths along the axes from corner 0 to corner 7.
-    const label steps[3] = {1, m, m*m};
-    const label orders[6][2] = {{0, 1}, {0, 2}, {1, 0}, {1, 2}, {2, 0}, {2, 1}};
-    DynamicList<triFace> triangles;
-    for (label cube = 0; cube < n*n*n; ++cube)
-    {
-        const label start = cube % n + m*((cube/n) % n) + m*m*(cube/(n*n));
-        for (const auto& order : orders)
-        {
-            const label second = start + steps[order[0]];
-            cutTetrahedron(
-                {start, second, second + steps[order[1]], start + 1 + m + m*m}, values,
-                positions, crossing, triangles, welder
-            );
         }
     }
     return {welder.points(), List<triFace>(std::move(triangles))};

@@ -6,6 +6,7 @@
 #include "core/Errors.H"
 #include "core/parametrization/EdgePaths.H"
 #include "core/parametrization/SmallestBox.H"
+#include "DynamicList.H"
 
 #include <cmath>
 
@@ -29,7 +30,7 @@ constexpr scalar absurdAreaRatio = 1e4;
 
 scalar signedArea(const List<vector2D>& p, const triFace& t)
 {
-    return 0.5*(p[t[1]] - p[t[0]]).perp(p[t[2]] - p[t[0]]);
+    return 0.5 * (p[t[1]] - p[t[0]]).perp(p[t[2]] - p[t[0]]);
 }
 
 // Largest over smallest ratio of areas in the chart and on the surface, of the
@@ -53,14 +54,14 @@ scalar areaRatioOf(const PlainSurface& disk, const List<vector2D>& parameters)
     scalar smallest = VGREAT;
     forAll(inChart, vertex)
     {
-        if (onSurface[vertex] > 1e-12*total)
+        if (onSurface[vertex] > 1e-12 * total)
         {
-            const scalar scale = inChart[vertex]*(total/onSurface[vertex]);
+            const scalar scale = inChart[vertex] * (total / onSurface[vertex]);
             largest = max(largest, scale);
             smallest = min(smallest, scale);
         }
     }
-    return largest/smallest;
+    return largest / smallest;
 }
 
 List<vector2D> tryFlattening(const Flattening& method, const PlainSurface& disk)
@@ -86,7 +87,7 @@ bool adopt(
     const List<CornerIndices>& corners
 )
 {
-    if (!best.parameters.empty() && areaRatio >= 0.5*best.areaRatio)
+    if (!best.parameters.empty() && areaRatio >= 0.5 * best.areaRatio)
     {
         return false;
     }
@@ -128,7 +129,8 @@ PlainSurface filled(const PlainSurface& surface, const List<labelList>& loops)
     {
         outer = lengthOf(loops[i]) > lengthOf(loops[outer]) ? i : outer;
     }
-    PlainSurface result(surface);
+    DynamicList<point> points(surface.points);
+    DynamicList<triFace> triangles(surface.triangles);
     forAll(loops, loopi)
     {
         if (loopi == outer)
@@ -136,14 +138,14 @@ PlainSurface filled(const PlainSurface& surface, const List<labelList>& loops)
             continue;
         }
         const labelList& loop = loops[loopi];
-        const label middle = result.points.size();
-        result.points.append(average(pointField(surface.points, loop)));
+        const label middle = points.size();
+        points.append(average(pointField(surface.points, loop)));
         forAll(loop, i)
         {
-            result.triangles.append(triFace(loop.fcValue(i), loop[i], middle));
+            triangles.append(triFace(loop.fcValue(i), loop[i], middle));
         }
     }
-    return result;
+    return {pointField(points), List<triFace>(std::move(triangles))};
 }
 
 // A surface of genus 0 with holes may do without a cut: an almost flat one, opened
@@ -156,8 +158,9 @@ bool considerUncut(Chart& best, const PlainSurface& surface, const Flattening& m
     {
         return false;
     }
-    List<vector2D> parameters =
-        tryFlattening(method, filled(surface, boundaryLoops(nPoints, surface.triangles)));
+    List<vector2D> parameters = tryFlattening(
+        method, filled(surface, boundaryLoops(nPoints, surface.triangles))
+    );
     if (parameters.empty())
     {
         return false;
@@ -193,7 +196,7 @@ void giveAreaOf(const PlainSurface& surface, Chart& chart)
         onSurface += surface.triangles[trianglei].mag(surface.points);
         inChart += signedArea(chart.parameters, triFace(c[0], c[1], c[2]));
     }
-    const scalar factor = std::sqrt(onSurface/inChart);
+    const scalar factor = std::sqrt(onSurface / inChart);
     for (vector2D& p : chart.parameters)
     {
         p *= factor;
@@ -213,7 +216,8 @@ Chart makeChart(const PlainSurface& surface, const Flattening& method)
         {
             const PlainSurface disk = cut.disk();
             consider(chart, cut, disk, method);
-            if (further == 0 && !(chart.areaRatio > 0 && chart.areaRatio <= fineAreaRatio))
+            if (further == 0
+                && !(chart.areaRatio > 0 && chart.areaRatio <= fineAreaRatio))
             {
                 considerUncut(chart, surface, method);
             }

@@ -40,7 +40,8 @@ class Skyline
 public:
     explicit Skyline(scalar gutter)
         : steps_{{gutter, gutter}, {1 - BlackSwatch::size, BlackSwatch::size + gutter}}
-    {}
+    {
+    }
 
     // Finds the lower left corner of a rectangle (its gutters to the right and above
     // included) and fills it; false where none is left.
@@ -113,7 +114,7 @@ bool place(
     Skyline skyline(gutter);
     for (const label i : order)
     {
-        const vector2D size = scale*sizes[i] + vector2D(gutter, gutter);
+        const vector2D size = scale * sizes[i] + vector2D(gutter, gutter);
         if (!skyline.place(size, corners[i]))
         {
             return false;
@@ -165,27 +166,27 @@ PackingResult packCharts(const List<List<vector2D>>& charts, scalar gutter)
         const Box box = boxOf(result.charts[i]);
         sizes[i] = charts[i].empty() ? vector2D(0, 0) : box.size();
         lows[i] = box.low;
-        area += sizes[i].x()*sizes[i].y();
+        area += sizes[i].x() * sizes[i].y();
         longest = std::max(longest, sizes[i].y());
     }
     if (!(longest > 0))
     {
         return result;
     }
-    gutter = std::min(gutter, 0.25/std::sqrt(scalar(charts.size())));
+    gutter = std::min(gutter, 0.25 / std::sqrt(scalar(charts.size())));
 
     const labelList order = tallestFirst(sizes);
     std::vector<vector2D> corners(charts.size());
     std::vector<vector2D> trial(charts.size());
     scalar fits = 0;
-    scalar tooLarge = 1/longest;
+    scalar tooLarge = 1 / longest;
     if (area > 0)
     {
-        tooLarge = std::min(tooLarge, 1/std::sqrt(area));
+        tooLarge = std::min(tooLarge, 1 / std::sqrt(area));
     }
     for (label i = 0; i < 40; ++i)
     {
-        const scalar scale = 0.5*(fits + tooLarge);
+        const scalar scale = 0.5 * (fits + tooLarge);
         if (place(sizes, order, scale, gutter, trial))
         {
             fits = scale;
@@ -201,7 +202,7 @@ PackingResult packCharts(const List<List<vector2D>>& charts, scalar gutter)
     {
         for (vector2D& p : result.charts[i])
         {
-            p = corners[i] + fits*(p - lows[i]);
+            p = corners[i] + fits * (p - lows[i]);
         }
     }
     return result;

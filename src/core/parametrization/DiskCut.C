@@ -40,7 +40,9 @@ DiskCut::DiskCut(const PlainSurface& surface)
 
     if (!shapeOf(fans_.points.size(), disk().triangles).isDisk())
     {
-        throw NumericalFailure("A component of the interface could not be cut to a disk.");
+        throw NumericalFailure(
+            "A component of the interface could not be cut to a disk."
+        );
     }
 }
 
@@ -55,7 +57,8 @@ bool DiskCut::openClosedSphere()
     }
     // Twice farthest finds the ends of the surface's length.
     const label start = surface_.triangles[0][0];
-    const label one = EdgePaths(surface_.points, topology_, labelList(1, start)).farthest();
+    const label one =
+        EdgePaths(surface_.points, topology_, labelList(1, start)).farthest();
     const EdgePaths paths(surface_.points, topology_, labelList(1, one));
     labelList path = paths.edgesTo(paths.farthest());
     if (path.size() == 1)
@@ -217,9 +220,7 @@ label DiskCut::nSeamEdges() const
 PlainSurface DiskCut::disk() const
 {
     PlainSurface result{
-        pointField(surface_.points, fans_.points),
-        List<triFace>(fans_.corners.size())
-    };
+        pointField(surface_.points, fans_.points), List<triFace>(fans_.corners.size())};
     forAll(fans_.corners, trianglei)
     {
         const CornerIndices& c = fans_.corners[trianglei];

@@ -34,7 +34,8 @@ Rows edgesOfPoints(label nPoints, const List<SurfaceEdge>& edges)
 EdgePaths::EdgePaths(
     const pointField& points, const SurfaceTopology& topology, const labelUList& sources
 )
-    : topology_(topology), distances_(points.size(), GREAT), arrivals_(points.size(), -1)
+    : topology_(topology), distances_(points.size(), GREAT),
+      arrivals_(points.size(), -1)
 {
     const List<SurfaceEdge>& edges = topology.edges();
     const Rows pointEdges = edgesOfPoints(points.size(), edges);

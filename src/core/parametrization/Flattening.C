@@ -65,9 +65,7 @@ std::unique_ptr<Flattening> Flattening::New(const std::string& method)
     {
         known += (known.empty() ? "" : ", ") + name;
     }
-    throw BadInput(
-        "Unknown flattening \"" + method + "\"; known are " + known + "."
-    );
+    throw BadInput("Unknown flattening \"" + method + "\"; known are " + known + ".");
 }
 
 // With positive triangles the map covers each point as often as the boundary winds
@@ -78,14 +76,14 @@ bool isOneToOne(const PlainSurface& surface, const List<vector2D>& chart)
     {
         return false;
     }
-    const scalar smallest = thinnest*extent(chart);
+    const scalar smallest = thinnest * extent(chart);
     for (const triFace& t : surface.triangles)
     {
         const vector2D ab = chart[t[1]] - chart[t[0]];
         const vector2D bc = chart[t[2]] - chart[t[1]];
         const vector2D ca = chart[t[0]] - chart[t[2]];
         const scalar longest = max(mag(ab), max(mag(bc), mag(ca)));
-        if (!(ab.perp(bc) > smallest*longest))
+        if (!(ab.perp(bc) > smallest * longest))
         {
             return false;
         }

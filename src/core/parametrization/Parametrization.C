@@ -27,10 +27,12 @@ scalar meanCellSize(const InterfaceMesh& mesh, const Patch& patch)
     {
         sum += mesh.cellSizes[pointi];
     }
-    return sum/patch.points.size();
+    return sum / patch.points.size();
 }
 
-void sizeLists(InterfaceMesh& surface, label nPoints, label nTriangles, label nParameters)
+void sizeLists(
+    InterfaceMesh& surface, label nPoints, label nTriangles, label nParameters
+)
 {
     surface.points.setSize(nPoints);
     surface.cells.setSize(nPoints);
@@ -79,7 +81,8 @@ void addTriangles(
                 startPoint + piece.copy.surface.triangles[i][k];
             if (!piece.chart.parameters.empty())
             {
-                surface.corners[start + i][k] = startParameter + piece.chart.corners[i][k];
+                surface.corners[start + i][k] =
+                    startParameter + piece.chart.corners[i][k];
             }
         }
         surface.materials[start + i] = patch.materials;
@@ -135,7 +138,7 @@ parametrize(const InterfaceMesh& mesh, const ParametrizationOptions& options)
     {
         Piece& piece = pieces[i];
         piece.copy = remesh(
-            patches[i].surface, options.edgeLength*meanCellSize(mesh, patches[i])
+            patches[i].surface, options.edgeLength * meanCellSize(mesh, patches[i])
         );
         piece.chart = makeChart(piece.copy.surface, *method);
         charts[i] = piece.chart.parameters;

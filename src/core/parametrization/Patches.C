@@ -21,7 +21,8 @@ List<bool> materialEdges(const InterfaceMesh& mesh, const SurfaceTopology& topol
     forAll(edges, edgei)
     {
         const label* t = edges[edgei].triangles;
-        cut[edgei] = t[0] >= 0 && t[1] >= 0 && mesh.materials[t[0]] != mesh.materials[t[1]];
+        cut[edgei] =
+            t[0] >= 0 && t[1] >= 0 && mesh.materials[t[0]] != mesh.materials[t[1]];
     }
     return cut;
 }

@@ -55,7 +55,7 @@ void turnIntoSmallestBox(List<vector2D>& chart)
         {
             continue;
         }
-        const vector2D d = edge/length;
+        const vector2D d = edge / length;
         scalar low = VGREAT, high = -VGREAT, top = 0;
         for (const vector2D& p : hull)
         {
@@ -63,9 +63,9 @@ void turnIntoSmallestBox(List<vector2D>& chart)
             high = std::max(high, d & p);
             top = std::max(top, d.perp(p - hull[i]));
         }
-        if ((high - low)*top < smallest)
+        if ((high - low) * top < smallest)
         {
-            smallest = (high - low)*top;
+            smallest = (high - low) * top;
             along = d;
         }
     }

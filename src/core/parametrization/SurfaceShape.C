@@ -95,7 +95,7 @@ Fans splitFans(
     const UList<bool>& cutEdges
 )
 {
-    CornerSets sets(3*triangles.size());
+    CornerSets sets(3 * triangles.size());
     forAll(triangles, trianglei)
     {
         for (label k = 0; k < 3; ++k)
@@ -109,7 +109,8 @@ Fans splitFans(
             {
                 const label pointi = triangles[trianglei][corner];
                 sets.unite(
-                    3*trianglei + corner, 3*other + cornerOf(triangles[other], pointi)
+                    3 * trianglei + corner,
+                    3 * other + cornerOf(triangles[other], pointi)
                 );
             }
         }
@@ -117,12 +118,12 @@ Fans splitFans(
     Fans fans;
     fans.corners.setSize(triangles.size());
     DynamicList<label> points;
-    labelList vertices(3*triangles.size(), -1);
+    labelList vertices(3 * triangles.size(), -1);
     forAll(triangles, trianglei)
     {
         for (label k = 0; k < 3; ++k)
         {
-            label& vertex = vertices[sets.root(3*trianglei + k)];
+            label& vertex = vertices[sets.root(3 * trianglei + k)];
             if (vertex < 0)
             {
                 vertex = points.size();
@@ -178,7 +179,7 @@ SurfaceShape shapeOf(label nPoints, const UList<triFace>& triangles)
 
     labelList next(nPoints, -1);
     shape.manifold = topology.nNonManifoldEdges() == 0
-        && boundarySuccessors(topology, triangles, next);
+                     && boundarySuccessors(topology, triangles, next);
     return shape;
 }
 

@@ -82,18 +82,9 @@ ParameterSheets::ParameterSheets(const MatchTarget& target)
               }
           }
       ),
-      passages_(findPassages()), seams_(findSeams()), pointSeams_(
-                                                          mesh_.points.size(),
-                                                          [&](auto&& add)
-                                                          {
-                                                              forAll(seams_, i)
-                                                              {
-                                                                  add(seams_[i][0], i);
-                                                                  add(seams_[i][1], i);
-                                                              }
-                                                          }
-                                                      ),
-      seamLocator_(mesh_.points, seams_, VSMALL), scale_(meanScale())
+      passages_(findPassages()), seams_(findSeams()),
+      seamLocator_(mesh_.points, seams_, VSMALL), nodes_(findNodes()),
+      scale_(meanScale())
 {
 }
 
@@ -149,6 +140,38 @@ List<triFace> ParameterSheets::findSeams() const
         }
     }
     return List<triFace>(std::move(seams));
+}
+
+List<SeamNode> ParameterSheets::findNodes() const
+{
+    labelList nSeams(mesh_.points.size(), 0);
+    for (const triFace& seam : seams_)
+    {
+        ++nSeams[seam[0]];
+        ++nSeams[seam[1]];
+    }
+    for (const SurfaceEdge& edge : target_.topology().edges())
+    {
+        if (edge.nTriangles == 1)
+        {
+            nSeams[edge.a] = nSeams[edge.b] = 0;
+        }
+    }
+
+    DynamicList<SeamNode> nodes;
+    forAll(nSeams, pointi)
+    {
+        if (nSeams[pointi] == 1 || nSeams[pointi] > 2)
+        {
+            SeamNode node{mesh_.points[pointi], Zero, mesh_.cellSizes[pointi]};
+            for (const label trianglei : pointTriangles_[pointi])
+            {
+                node.normal += mesh_.areaVector(trianglei);
+            }
+            nodes.append(node);
+        }
+    }
+    return List<SeamNode>(std::move(nodes));
 }
 
 scalar ParameterSheets::meanScale() const
@@ -234,28 +257,6 @@ SheetParameter ParameterSheets::extrapolate(const SurfacePoint& x, label corner)
 bool ParameterSheets::seamWithin(const point& x, scalar radius) const
 {
     return seamLocator_.closest(x, radius).triangle >= 0;
-}
-
-label ParameterSheets::seamEnd(const point& x, const vector& direction, scalar radius)
-    const
-{
-    label seami = seamLocator_.closest(x, radius).triangle;
-    if (seami < 0)
-    {
-        return -1;
-    }
-    const pointField& points = mesh_.points;
-    const auto ahead = [&](label i)
-    { return (points[seams_[i][1]] - points[seams_[i][0]]) & direction; };
-    label pointi = seams_[seami][ahead(seami) > 0 ? 1 : 0];
-    while (pointSeams_[pointi].size() == 2 && mag(points[pointi] - x) < radius)
-    {
-        const UList<label> both = pointSeams_[pointi];
-        seami = both[0] == seami ? both[1] : both[0];
-        pointi = seams_[seami][seams_[seami][0] == pointi ? 1 : 0];
-    }
-    return pointSeams_[pointi].size() == 1 && mag(points[pointi] - x) < radius ? pointi
-                                                                               : -1;
 }
 
 template<class Visit>

@@ -93,6 +93,52 @@ void append(const Polygon& given, const Positions& x, std::vector<CutTriangle>& 
     }
 }
 
+void markUnknown(std::vector<CutTriangle>& result, std::size_t from)
+{
+    for (std::size_t i = from; i < result.size(); ++i)
+    {
+        result[i].extrapolated = result[i].corners.find(InterfaceMesh::noParameter);
+    }
+}
+
+// What three cuts leave between the corners.
+void appendMiddle(
+    const triFace& triangle, const CornerIndices& own,
+    const FixedList<EdgeCut, 3>& cuts, label middle, const Positions& positions,
+    std::vector<CutTriangle>& result
+)
+{
+    // Both ends of an edge may be cut by the other two edges: nothing is left then
+    // but its own cut, which goes into the part of the corner opposite.
+    for (label k = 0; k < 3; ++k)
+    {
+        const label next = (k + 1) % 3, o = (k + 2) % 3;
+        const label a = triangle[k], b = triangle[next];
+        if (cuts[o].point == a && cuts[next].point == b && cuts[k].point != a
+            && cuts[k].point != b)
+        {
+            result.clear();
+            append(
+                {Vertex{triangle[o], own[o], true}, Vertex{a, cuts[o].before, false},
+                 Vertex{cuts[k].point, InterfaceMesh::noParameter, false},
+                 Vertex{b, cuts[next].after, false}},
+                positions, result
+            );
+            markUnknown(result, 0);
+            return;
+        }
+    }
+    const label opposite = (middle + 1) % 3, last = (middle + 2) % 3;
+    const auto nBefore = result.size();
+    append(
+        {Vertex{cuts[middle].point, cuts[middle].before, false},
+         Vertex{cuts[opposite].point, InterfaceMesh::noParameter, false},
+         Vertex{cuts[last].point, cuts[last].after, false}},
+        positions, result
+    );
+    markUnknown(result, nBefore);
+}
+
 } // namespace
 
 std::vector<CutTriangle> retriangulate(
@@ -143,14 +189,7 @@ std::vector<CutTriangle> retriangulate(
         {
             append({corner(k), before(k), after((k + 2) % 3)}, positions, result);
         }
-        const label k = middle, opposite = (k + 1) % 3, last = (k + 2) % 3;
-        const Vertex unknown{cuts[opposite].point, InterfaceMesh::noParameter, false};
-        const auto nBefore = result.size();
-        append({before(k), unknown, after(last)}, positions, result);
-        if (result.size() > nBefore)
-        {
-            result.back().extrapolated = 1;
-        }
+        appendMiddle(triangle, own, cuts, middle, positions, result);
     }
     return result;
 }

@@ -51,9 +51,9 @@ SeamBisection::between(const SheetPoint& a, const SheetPoint& b, scalar share) c
 
 scalar SeamBisection::smallestJump(scalar length) const
 {
-    // Algorithm 1 resolves delta of an edge. At a hundredth of it a jump of p is the
-    // gaping end of a slit rather than a seam, and not worth a cut.
-    constexpr scalar share = 0.01;
+    // Algorithm 1 resolves delta of an edge, and p changes by as much there. What is
+    // hardly more is the end of a slit, where p closes.
+    constexpr scalar share = 1e-3;
     return share * sheets_.scale() * length;
 }
 
@@ -112,6 +112,40 @@ void SeamBisection::preferSide(SheetPoint& v, const Piece& piece) const
     }
 }
 
+// Algorithm 1 as the paper has it, for a piece so short that one cut is enough: a
+// sheet that begins and ends within it is not resolved. Without such a limit the
+// crumbs of p in a splash multiply from transfer to transfer.
+void SeamBisection::bisectOnce(const Piece& piece, std::vector<SeamEvent>& events) const
+{
+    SheetPoint w1(piece.w1), w2(piece.w2);
+    scalar at1 = piece.at1, at2 = piece.at2;
+    while (at2 - at1 > options_.delta)
+    {
+        const scalar at = 0.5 * (at1 + at2);
+        SheetPoint v = between(piece.a, piece.b, at);
+        if (!v.sheet.valid())
+        {
+            break; // a hole in p narrower than the piece
+        }
+        const Piece rest{piece.a, piece.b, piece.length, at1, at2, w1, w2};
+        preferSide(v, rest);
+        const bool left =
+            evidentlyJoined({piece.a, piece.b, piece.length, at1, at, w1, v})
+            || joined(w1, v, mag(w1.match.nearest.position - v.match.nearest.position));
+        (left ? w1 : w2) = v;
+        (left ? at1 : at2) = at;
+    }
+    const scalar distance = mag(w1.match.nearest.position - w2.match.nearest.position);
+    if (mag(w2.sheet.p - w1.sheet.p) > smallestJump(piece.length)
+        && !joined(w1, w2, distance))
+    {
+        // What lies between the cut and the end of the piece is its end's sheet.
+        const bool reached =
+            w2.sheet.anchor == piece.w2.sheet.anchor || joined(w2, piece.w2, distance);
+        events.push_back({0.5 * (at1 + at2), false, w1, reached ? w2 : piece.w2});
+    }
+}
+
 // Algorithm 1. Both tests are evaluated, and both halves gone into where both are
 // invalid: an else-if chain would miss every second seam.
 void SeamBisection::bisect(const Piece& piece, std::vector<SeamEvent>& events) const
@@ -120,17 +154,10 @@ void SeamBisection::bisect(const Piece& piece, std::vector<SeamEvent>& events) c
     {
         return;
     }
-    if (piece.at2 - piece.at1 <= options_.delta)
+    if ((piece.at2 - piece.at1) * piece.length
+        <= options_.narrowestSheet * piece.a.cellSize)
     {
-        const vector2D jump = piece.w2.sheet.p - piece.w1.sheet.p;
-        const scalar distance =
-            mag(piece.w1.match.nearest.position - piece.w2.match.nearest.position);
-        if (mag(jump) > smallestJump(piece.length)
-            && !joined(piece.w1, piece.w2, distance))
-        {
-            events.push_back({0.5 * (piece.at1 + piece.at2), false, piece.w1, piece.w2}
-            );
-        }
+        bisectOnce(piece, events);
         return;
     }
 

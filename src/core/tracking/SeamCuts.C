@@ -12,7 +12,8 @@ namespace Foam::stability
 
 SeamCuts::SeamCuts(
     const InterfaceMesh& mesh, const List<Match>& matches,
-    const SeamBisection& bisection, const TransferOptions& options
+    const ParameterSheets& sheets, const SeamBisection& bisection,
+    const TransferOptions& options
 )
     : bisection_(bisection), options_(options), vertices_(mesh.points.size()),
       triangles_(mesh.triangles.begin(), mesh.triangles.end()),
@@ -20,22 +21,110 @@ SeamCuts::SeamCuts(
       unresolved_(mesh.triangles.size(), 0)
 {
     std::iota(parents_.begin(), parents_.end(), label(0));
+    setVertices(mesh, matches);
+    if (options.seamTreatment)
+    {
+        insertNodes(mesh, sheets.nodes());
+        traceAll();
+    }
+}
+
+void SeamCuts::setVertices(const InterfaceMesh& mesh, const List<Match>& matches)
+{
     const vectorField normals = mesh.pointNormals();
 #pragma omp parallel for schedule(static) num_threads(options_.nThreads)
     for (label i = 0; i < mesh.points.size(); ++i)
     {
         vertices_[i].seen = {
             mesh.points[i], normals[i], mesh.cellSizes[i], matches[i],
-            bisection.parameter(matches[i])};
+            bisection_.parameter(matches[i])};
         vertices_[i].cell = mesh.cells[i];
         vertices_[i].boundaryFace = mesh.boundaryFaces[i];
     }
-    if (!options.seamTreatment)
+}
+
+void SeamCuts::insertNodes(const InterfaceMesh& mesh, const List<SeamNode>& nodes)
+{
+    if (nodes.empty() || mesh.empty())
     {
         return;
     }
+    const SurfaceLocator locator(mesh.points, mesh.triangles, mesh.cellSizes[0]);
+    std::map<label, labelList> parts;
+    for (const SeamNode& node : nodes)
+    {
+        const auto facing = [&](label trianglei)
+        { return (mesh.areaVector(trianglei) & node.normal) > 0; };
+        const SurfacePoint foot =
+            locator.closest(node.x, bisection_.epsilon(node.cellSize), facing);
+        if (foot.triangle >= 0)
+        {
+            labelList& own = parts[foot.triangle];
+            if (own.empty())
+            {
+                own.append(foot.triangle);
+            }
+            insertNode(foot, own);
+        }
+    }
+}
 
-    const SurfaceTopology topology(mesh.points.size(), mesh.triangles);
+// `parts`: what earlier nodes have left of the triangle.
+void SeamCuts::insertNode(const SurfacePoint& foot, labelList& parts)
+{
+    label trianglei = -1;
+    SurfacePoint at;
+    for (const label i : parts)
+    {
+        const triFace& t = triangles_[i];
+        const SurfacePoint p = closestPoint(
+            foot.position, vertices_[t[0]].seen.x, vertices_[t[1]].seen.x,
+            vertices_[t[2]].seen.x
+        );
+        if (p.distance < at.distance)
+        {
+            at = p;
+            trianglei = i;
+        }
+    }
+    const triFace t = triangles_[trianglei];
+    const label nearest =
+        std::max_element(at.weights.begin(), at.weights.end()) - at.weights.begin();
+    const SheetPoint& corner = vertices_[t[nearest]].seen;
+    if (at.weights[nearest] > 1 - options_.snap
+        || mag(corner.x - at.position) < options_.narrowestSheet * corner.cellSize)
+    {
+        return; // a vertex of M is there, or near enough
+    }
+
+    // Off the edges by less than Algorithm 1 resolves.
+    const scalar margin = 0.5 * options_.delta;
+    point x(Zero);
+    vector normal(Zero);
+    for (label k = 0; k < 3; ++k)
+    {
+        const SheetPoint& corner = vertices_[t[k]].seen;
+        const scalar weight = margin + (1 - 3 * margin) * at.weights[k];
+        x += weight * corner.x;
+        normal += weight * corner.normal;
+    }
+    normal /= mag(normal) + VSMALL;
+    const label vertexi = addVertex(
+        bisection_.locate(x, normal, vertices_[t[nearest]].seen.cellSize), t[nearest]
+    );
+    triangles_[trianglei] = triFace(t[0], t[1], vertexi);
+    for (label k = 1; k < 3; ++k)
+    {
+        parts.append(triangles_.size());
+        triangles_.push_back(triFace(t[k], t[(k + 1) % 3], vertexi));
+        parents_.push_back(parents_[trianglei]);
+    }
+}
+
+void SeamCuts::traceAll()
+{
+    const List<triFace> triangles(triangles_.begin(), triangles_.end());
+    const SurfaceTopology topology(vertices_.size(), triangles);
     std::vector<Edge> edges;
     std::vector<char> boundary;
     for (const SurfaceEdge& edge : topology.edges())
@@ -55,7 +144,11 @@ void SeamCuts::trace(const std::vector<Edge>& edges, const std::vector<char>& bo
         events[i] = bisection_.cuts(
             vertices_[edges[i].first].seen, vertices_[edges[i].second].seen
         );
-        mergeNear(events[i]);
+        const SheetPoint &a = vertices_[edges[i].first].seen,
+                         &b = vertices_[edges[i].second].seen;
+        mergeNear(
+            events[i], options_.narrowestSheet * a.cellSize / (mag(b.x - a.x) + VSMALL)
+        );
     }
     for (std::size_t i = 0; i < edges.size(); ++i)
     {
@@ -67,14 +160,14 @@ void SeamCuts::trace(const std::vector<Edge>& edges, const std::vector<char>& bo
     }
 }
 
-// A sheet narrower than what is snapped anyway is left out.
-void SeamCuts::mergeNear(std::vector<SeamEvent>& events) const
+// A sheet between two seams narrower than this share of the edge is left out.
+void SeamCuts::mergeNear(std::vector<SeamEvent>& events, scalar narrowest) const
 {
     std::vector<SeamEvent> kept;
     for (SeamEvent& event : events)
     {
         if (!kept.empty() && !event.gap && !kept.back().gap
-            && event.at - kept.back().at < options_.snap)
+            && event.at - kept.back().at < narrowest)
         {
             kept.back().after = event.after;
         }

@@ -13,7 +13,8 @@ SeamTreatment::SeamTreatment(
     const TransferOptions& options
 )
     : mesh_(mesh), matches_(matches), options_(options), sheets_(target),
-      bisection_(target, sheets_, options), cuts_(mesh, matches, bisection_, options)
+      bisection_(target, sheets_, options),
+      cuts_(mesh, matches, sheets_, bisection_, options)
 {
 }
 
@@ -73,7 +74,7 @@ label SeamTreatment::ownParameter(label vertexi) const
 // the indices on both sides of an edge differ.
 label SeamTreatment::parameterIndex(label vertexi, const vector2D& p)
 {
-    constexpr scalar same = 1e-4; // of what counts as a jump
+    constexpr scalar same = 1e-3; // of what counts as a jump
     const scalar tolerance = same * bisection_.smallestJump(seen(vertexi).cellSize);
     const label own = ownParameter(vertexi);
     if (own >= 0 && mag(parameters_[own] - p) <= tolerance)
@@ -131,7 +132,7 @@ void SeamTreatment::splitTriangles()
     for (label i = 0; i < nUncut; ++i)
     {
         const triFace t = triangles_[i];
-        label nCuts = 0;
+        bool isCut = false;
         FixedList<EdgeCut, 3> cuts;
         for (label k = 0; k < 3; ++k)
         {
@@ -142,10 +143,10 @@ void SeamTreatment::splitTriangles()
                 const Cut& cut = placed_.at(SeamCuts::edgeOf(a, b));
                 cuts[k] = a < b ? EdgeCut{cut.point, cut.lower, cut.higher}
                                 : EdgeCut{cut.point, cut.higher, cut.lower};
-                ++nCuts;
+                isCut = true;
             }
         }
-        if (nCuts > 1 || (nCuts == 1 && !splitToSeamEnd(i, cuts)))
+        if (isCut)
         {
             split(i, cuts);
         }
@@ -178,74 +179,26 @@ void SeamTreatment::split(label trianglei, const FixedList<EdgeCut, 3>& cuts)
     { return seen(vertexi).x; };
     std::vector<CutTriangle> parts =
         retriangulate(t, corners_[trianglei], cuts, middle, position);
+    std::map<label, label> extrapolated;
     for (CutTriangle& part : parts)
     {
-        if (part.extrapolated >= 0)
+        const label c = part.extrapolated, a = (c + 1) % 3, b = (c + 2) % 3;
+        if (c >= 0 && !extrapolated.count(part.points[c]))
         {
-            const label c = part.extrapolated, a = (c + 1) % 3, b = (c + 2) % 3;
-            part.corners[c] = parameterIndex(
-                part.points[c],
-                similarCorner(
-                    position(part.points[a]), position(part.points[b]),
-                    position(part.points[c]), parameters_[part.corners[a]],
-                    parameters_[part.corners[b]],
-                    sheets_.orientation(seen(t[middle]).sheet.anchor)
-                )
+            const vector2D p = similarCorner(
+                position(part.points[a]), position(part.points[b]),
+                position(part.points[c]), parameters_[part.corners[a]],
+                parameters_[part.corners[b]],
+                sheets_.orientation(seen(t[middle]).sheet.anchor)
             );
+            extrapolated[part.points[c]] = parameterIndex(part.points[c], p);
+        }
+        if (c >= 0)
+        {
+            part.corners[c] = extrapolated[part.points[c]];
         }
     }
     replace(trianglei, parts);
-}
-
-// One cut: the seam ends within the triangle. Where it does on T, a vertex is set, so
-// that slits of p neither grow nor close from transfer to transfer. False where the
-// end of the seam is not found inside.
-bool SeamTreatment::splitToSeamEnd(label trianglei, const FixedList<EdgeCut, 3>& cuts)
-{
-    const triFace t = triangles_[trianglei];
-    const label k = cuts[0].exists() ? 0 : cuts[1].exists() ? 1 : 2;
-    const label a = t[k], b = t[(k + 1) % 3], o = t[(k + 2) % 3], c = cuts[k].point;
-    if (c == a || c == b)
-    {
-        return false;
-    }
-    const point &xa = seen(a).x, &xb = seen(b).x, &xo = seen(o).x;
-    const vector normal = (xb - xa) ^ (xo - xa);
-    const SurfacePoint& onT = seen(c).match.nearest;
-    const label endi = onT.triangle < 0 ? -1
-                                        : sheets_.seamEnd(
-                                            onT.position, normal ^ (xb - xa),
-                                            mag(xb - xa) + mag(xo - xa)
-                                        );
-    if (endi < 0)
-    {
-        return false;
-    }
-
-    // Clear of the edges; also where the seam goes on for a little with a jump that
-    // is too small to cut the next edge.
-    constexpr scalar margin = 0.01;
-    const SurfacePoint foot = closestPoint(sheets_.position(endi), xa, xb, xo);
-    const point inside =
-        (1 - 3*margin)*foot.position + 3*margin*((xa + xb + xo)/3);
-    const SheetPoint v = bisection_.locate(
-        inside, normal/(mag(normal) + VSMALL), seen(o).cellSize
-    );
-    if (!v.sheet.valid())
-    {
-        return false;
-    }
-    const label end = cuts_.addVertex(v, o);
-    const label p = parameterIndex(end, v.sheet.p);
-    const CornerIndices own = corners_[trianglei];
-    const label pa = own[k], pb = own[(k + 1) % 3], po = own[(k + 2) % 3];
-    replace(
-        trianglei, {{triFace(a, c, end), CornerIndices{pa, cuts[k].before, p}},
-                    {triFace(c, b, end), CornerIndices{cuts[k].after, pb, p}},
-                    {triFace(b, o, end), CornerIndices{pb, po, p}},
-                    {triFace(o, a, end), CornerIndices{po, pa, p}}}
-    );
-    return true;
 }
 
 // Three cuts: to which corner's sheet does the triangle in the middle belong?

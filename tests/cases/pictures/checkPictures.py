@@ -14,13 +14,13 @@ import sphere
 from sphere import verdict
 
 WIDTH, HEIGHT = 1280, 960
-SCENE = 0.78 * WIDTH  # the legend is to the right of it
+SCENE = WIDTH - 281  # the legend is to the right of it
 TANGENT = np.tan(np.radians(14))  # of half the view angle
 DISTANCE = 1.06 * (0.5 + 0.5 / TANGENT)  # fits the unit cube seen from the front
 SCALE = 0.5 * HEIGHT / TANGENT
 EYE = np.array([0.5, 0.5 - DISTANCE, 0.5])
-LIGHTS = (((-0.4, 1.0, 0.6), 0.8), ((0.8, 1.0, 0.1), 0.25))  # right, towards us, up
-AMBIENT, DIFFUSE = 0.58, 0.48
+LIGHTS = (((-0.4, 1.0, 0.6), 0.75), ((0.9, 1.0, 0.1), 0.4))  # right, towards us, up
+AMBIENT, DIFFUSE = 0.62, 0.42
 TOLERANCE = 4
 
 

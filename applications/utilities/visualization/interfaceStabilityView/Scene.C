@@ -30,14 +30,14 @@ namespace
 
 // Depth peeling excludes multisampling: drawn larger and averaged instead.
 constexpr int oversampling = 2;
+constexpr double lineWidth = 1.2; // [pixels]
+constexpr int nPeels = 12;        // each from the front and from the back
+
 // The legend keeps its shape; it takes what it needs of a wide picture, not more.
 int legendWidth(const std::array<int, 2>& size)
 {
     return int(std::min(0.22 * size[0], 0.294 * size[1]));
 }
-
-constexpr double lineWidth = 1.2; // [pixels]
-constexpr int nPeels = 12;        // each from the front and from the back
 
 // A file that cannot be read is told of when it is asked for.
 void addBounds(vtkBoundingBox& box, const std::filesystem::path& file)
@@ -148,8 +148,8 @@ void Scene::placeRenderers()
 void Scene::placeLights()
 {
     renderer_->AutomaticLightCreationOff();
-    addLight(*renderer_, -0.4, 0.6, 0.8);
-    addLight(*renderer_, 0.8, 0.1, 0.25);
+    addLight(*renderer_, -0.4, 0.6, 0.75);
+    addLight(*renderer_, 0.9, 0.1, 0.4);
 }
 
 void Scene::showSurroundings()

@@ -183,8 +183,8 @@ surfaceActor(vtkPolyData& interface, vtkTexture& texture, double opacity)
     actor->SetTexture(&texture);
     vtkProperty* property = actor->GetProperty();
     property->SetColor(1, 1, 1);
-    property->SetAmbient(0.58); // soft: the colours must stay those of the legend
-    property->SetDiffuse(0.48);
+    property->SetAmbient(0.62); // soft: the colours must stay those of the legend
+    property->SetDiffuse(0.42);
     property->SetSpecular(0);
     property->SetOpacity(opacity);
     actor->ForceTranslucentOn();

@@ -203,7 +203,7 @@ TEST(CellWalk, CrookedCellsDoNoHarm)
         ASSERT_EQ(location.where, Where::inside);
         const auto& w = location.weights;
         ASSERT_GE(min(min(w[0], w[1]), min(w[2], w[3])), 0);
-        ASSERT_LT(mag(weighted(*complex, location) - x), 0.02);
+        ASSERT_LT(mag(weighted(*complex, location) - x), 0.5 / 8);
     }
 }
 

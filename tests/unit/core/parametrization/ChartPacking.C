@@ -34,11 +34,11 @@ Box boxOf(const List<vector2D>& chart)
 // An L without symmetry: any mirroring or turning shows.
 List<vector2D> chartOf(scalar width, scalar height)
 {
-    return List<vector2D>({
-        vector2D(3, 5), vector2D(3 + width, 5), vector2D(3 + width, 5 + 0.3*height),
-        vector2D(3 + 0.2*width, 5 + 0.3*height), vector2D(3 + 0.2*width, 5 + height),
-        vector2D(3, 5 + height)
-    });
+    return List<vector2D>(
+        {vector2D(3, 5), vector2D(3 + width, 5), vector2D(3 + width, 5 + 0.3 * height),
+         vector2D(3 + 0.2 * width, 5 + 0.3 * height),
+         vector2D(3 + 0.2 * width, 5 + height), vector2D(3, 5 + height)}
+    );
 }
 
 scalar areaOf(const List<vector2D>& polygon)
@@ -46,7 +46,7 @@ scalar areaOf(const List<vector2D>& polygon)
     scalar area = 0;
     forAll(polygon, i)
     {
-        area += 0.5*polygon[i].perp(polygon[polygon.fcIndex(i)]);
+        area += 0.5 * polygon[i].perp(polygon[polygon.fcIndex(i)]);
     }
     return area;
 }
@@ -54,7 +54,7 @@ scalar areaOf(const List<vector2D>& polygon)
 // Deterministic, between 0 and 1.
 scalar noise(label i)
 {
-    const scalar x = 43758.5453*std::sin(12.9898*i + 4.1);
+    const scalar x = 43758.5453 * std::sin(12.9898 * i + 4.1);
     return x - std::floor(x);
 }
 
@@ -63,8 +63,8 @@ List<List<vector2D>> mixedCharts(label n)
     List<List<vector2D>> charts(n);
     forAll(charts, i)
     {
-        const scalar size = i == n/2 ? 8 : 0.05 + noise(i);
-        charts[i] = chartOf(size, size*(0.3 + 2*noise(i + n)));
+        const scalar size = i == n / 2 ? 8 : 0.05 + noise(i);
+        charts[i] = chartOf(size, size * (0.3 + 2 * noise(i + n)));
     }
     return charts;
 }
@@ -84,8 +84,7 @@ void expectLegal(
 {
     const scalar slack = 1e-12;
     const Box swatch{
-        vector2D(1 - BlackSwatch::size, 0), vector2D(1, BlackSwatch::size)
-    };
+        vector2D(1 - BlackSwatch::size, 0), vector2D(1, BlackSwatch::size)};
     ASSERT_EQ(packing.charts.size(), charts.size());
     std::vector<Box> boxes;
     forAll(charts, i)
@@ -100,11 +99,11 @@ void expectLegal(
         // Same shape at the common scale, by a quarter turn or none, not mirrored.
         const vector2D a = charts[i][1] - charts[i][0];
         const vector2D b = packing.charts[i][1] - packing.charts[i][0];
-        EXPECT_NEAR(mag(b)/mag(a)/packing.scale, 1, 1e-9);
+        EXPECT_NEAR(mag(b) / mag(a) / packing.scale, 1, 1e-9);
         EXPECT_NEAR(
-            areaOf(packing.charts[i])/areaOf(charts[i])/sqr(packing.scale), 1, 1e-9
+            areaOf(packing.charts[i]) / areaOf(charts[i]) / sqr(packing.scale), 1, 1e-9
         );
-        EXPECT_LT(std::min(mag(b.x()), mag(b.y())), 1e-9*mag(b));
+        EXPECT_LT(std::min(mag(b.x()), mag(b.y())), 1e-9 * mag(b));
     }
     std::sort(
         boxes.begin(), boxes.end(),
@@ -126,7 +125,7 @@ scalar usedArea(const PackingResult& packing)
     for (const List<vector2D>& chart : packing.charts)
     {
         const Box box = boxOf(chart);
-        area += (box.high.x() - box.low.x())*(box.high.y() - box.low.y());
+        area += (box.high.x() - box.low.x()) * (box.high.y() - box.low.y());
     }
     return area;
 }
@@ -137,7 +136,7 @@ TEST(ChartPacking, OneChartFillsTheSquare)
 {
     const List<List<vector2D>> charts(1, chartOf(0.002, 0.002));
     const PackingResult packing = packCharts(charts);
-    expectLegal(charts, packing, 1.0/256);
+    expectLegal(charts, packing, 1.0 / 256);
     EXPECT_GT(usedArea(packing), 0.9);
 }
 
@@ -145,7 +144,7 @@ TEST(ChartPacking, LongChartsStandUpright)
 {
     const List<List<vector2D>> charts(3, chartOf(9, 2));
     const PackingResult packing = packCharts(charts);
-    expectLegal(charts, packing, 1.0/256);
+    expectLegal(charts, packing, 1.0 / 256);
     for (const List<vector2D>& chart : packing.charts)
     {
         const Box box = boxOf(chart);
@@ -158,7 +157,7 @@ TEST(ChartPacking, SmallChartsGoBesideALargeOne)
 {
     const List<List<vector2D>> charts = mixedCharts(40);
     const PackingResult packing = packCharts(charts);
-    expectLegal(charts, packing, 1.0/256);
+    expectLegal(charts, packing, 1.0 / 256);
     EXPECT_GT(usedArea(packing), 0.7);
 }
 
@@ -166,7 +165,7 @@ TEST(ChartPacking, ThousandsOfTinyCharts)
 {
     List<List<vector2D>> charts = mixedCharts(3000);
     const PackingResult packing = packCharts(charts);
-    expectLegal(charts, packing, 1.0/256);
+    expectLegal(charts, packing, 1.0 / 256);
     EXPECT_GT(usedArea(packing), 0.25);
 }
 
@@ -176,7 +175,7 @@ TEST(ChartPacking, GuttersMakeRoom)
     const label n = 20000;
     List<List<vector2D>> charts(n, chartOf(1, 1));
     const PackingResult packing = packCharts(charts);
-    expectLegal(charts, packing, 0.25/std::sqrt(scalar(n)));
+    expectLegal(charts, packing, 0.25 / std::sqrt(scalar(n)));
     EXPECT_GT(usedArea(packing), 0.4);
 }
 
@@ -191,7 +190,9 @@ TEST(ChartPacking, KeepsTheGutterAskedFor)
 TEST(ChartPacking, NothingIsLegal)
 {
     EXPECT_TRUE(packCharts(List<List<vector2D>>()).charts.empty());
-    const List<List<vector2D>> charts({List<vector2D>(), chartOf(1, 2), List<vector2D>()});
+    const List<List<vector2D>> charts(
+        {List<vector2D>(), chartOf(1, 2), List<vector2D>()}
+    );
     const PackingResult packing = packCharts(charts);
     EXPECT_TRUE(packing.charts[0].empty());
     EXPECT_EQ(packing.charts[1].size(), charts[1].size());

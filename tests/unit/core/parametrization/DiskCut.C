@@ -4,6 +4,7 @@
 #include "core/parametrization/DiskCut.H"
 
 #include "core/Errors.H"
+#include "shapes/RaggedSurface.H"
 #include "shapes/Surfaces.H"
 
 #include <gtest/gtest.h>
@@ -19,15 +20,16 @@ struct Case
 {
     const char* name;
     PlainSurface surface;
-    label euler;    // of the surface
-    label nLoops;   // of the surface
+    label euler;  // of the surface
+    label nLoops; // of the surface
     bool needsCut;
 };
 
 std::vector<Case> cases()
 {
     const boundBox box(point(-1, -1, -1), point(1, 1, 1));
-    const auto ball = [](const point& p) { return mag(p - point(.013, .021, .007)) - .6; };
+    const auto ball = [](const point& p)
+    { return mag(p - point(.013, .021, .007)) - .6; };
     // A third loop where a triangle is missing.
     PlainSurface threeLoops = annulus(0.4, 1, 24, 4);
     threeLoops.triangles[60] = threeLoops.triangles[threeLoops.triangles.size() - 1];
@@ -51,7 +53,8 @@ TEST(DiskCut, MakesADiskOfAnyTopology)
     for (const Case& c : cases())
     {
         SCOPED_TRACE(c.name);
-        const SurfaceShape before = shapeOf(c.surface.points.size(), c.surface.triangles);
+        const SurfaceShape before =
+            shapeOf(c.surface.points.size(), c.surface.triangles);
         EXPECT_TRUE(before.manifold);
         EXPECT_EQ(before.euler, c.euler);
         EXPECT_EQ(before.nLoops, c.nLoops);
@@ -79,12 +82,17 @@ TEST(DiskCut, KeepsTriangles)
         {
             const label vertex = cut.fans().corners[trianglei][k];
             EXPECT_EQ(cut.fans().points[vertex], surface.triangles[trianglei][k]);
-            EXPECT_EQ(mag(cut.disk().points[vertex] - surface.points[cut.fans().points[vertex]]), 0);
+            EXPECT_EQ(
+                mag(cut.disk().points[vertex]
+                    - surface.points[cut.fans().points[vertex]]),
+                0
+            );
         }
     }
     // Both sides of each seam edge are edges of the boundary.
-    const List<labelList> loops = boundaryLoops(cut.disk().points.size(), cut.disk().triangles);
-    EXPECT_EQ(loops[0].size(), 2*cut.nSeamEdges());
+    const List<labelList> loops =
+        boundaryLoops(cut.disk().points.size(), cut.disk().triangles);
+    EXPECT_EQ(loops[0].size(), 2 * cut.nSeamEdges());
 }
 
 // From pole to pole: as far as the surface is long.
@@ -98,12 +106,12 @@ TEST(DiskCut, OpensASphereOverItsLength)
     scalar length = 0;
     forAll(loops[0], i)
     {
-        length += mag(
-            cut.disk().points[loops[0][i]] - cut.disk().points[loops[0][loops[0].fcIndex(i)]]
-        );
+        length +=
+            mag(cut.disk().points[loops[0][i]]
+                - cut.disk().points[loops[0][loops[0].fcIndex(i)]]);
     }
-    EXPECT_GT(0.5*length, 0.97*M_PI*radius);
-    EXPECT_LT(0.5*length, 1.25*M_PI*radius);
+    EXPECT_GT(0.5 * length, 0.97 * M_PI * radius);
+    EXPECT_LT(0.5 * length, 1.25 * M_PI * radius);
 }
 
 // The smallest closed surface: its farthest points are one edge apart, and one edge
@@ -113,8 +121,9 @@ TEST(DiskCut, OpensATetrahedron)
     PlainSurface surface;
     surface.points =
         pointField({point(0, 0, 0), point(1, 0, 0), point(0, 1, 0), point(0, 0, 1)});
-    surface.triangles =
-        List<triFace>({triFace(0, 2, 1), triFace(0, 1, 3), triFace(1, 2, 3), triFace(0, 3, 2)});
+    surface.triangles = List<triFace>(
+        {triFace(0, 2, 1), triFace(0, 1, 3), triFace(1, 2, 3), triFace(0, 3, 2)}
+    );
     const DiskCut cut(surface);
     EXPECT_EQ(cut.nSeamEdges(), 2);
     EXPECT_EQ(cut.disk().points.size(), 5);
@@ -127,8 +136,10 @@ TEST(DiskCut, TreatsAMobiusBandAsOpen)
     PlainSurface surface = grid(
         [](scalar u, scalar v)
         {
-            const scalar phi = 2*M_PI*u, r = 1 + (v - .5)*std::cos(.5*phi);
-            return point(r*std::cos(phi), r*std::sin(phi), (v - .5)*std::sin(.5*phi));
+            const scalar phi = 2 * M_PI * u, r = 1 + (v - .5) * std::cos(.5 * phi);
+            return point(
+                r * std::cos(phi), r * std::sin(phi), (v - .5) * std::sin(.5 * phi)
+            );
         },
         20, 2
     );
@@ -177,8 +188,7 @@ TEST(DiskCut, ExtendsToAPoint)
 
 TEST(DiskCut, RefusesWhatIsNotOneComponent)
 {
-    const PlainSurface two = together(
-        {hemisphere(point(0, 0, 0), 1, 2), hemisphere(point(5, 0, 0), 1, 2)}
-    );
+    const PlainSurface two =
+        together({hemisphere(point(0, 0, 0), 1, 2), hemisphere(point(5, 0, 0), 1, 2)});
     EXPECT_THROW(DiskCut{two}, NumericalFailure);
 }

@@ -17,7 +17,7 @@ TEST(EdgePaths, KnowDistancesOnAGrid)
 {
     const label n = 7;
     const PlainSurface surface =
-        grid([&](scalar u, scalar v) { return point(n*u, n*v, 2); }, n, n);
+        grid([&](scalar u, scalar v) { return point(n * u, n * v, 2); }, n, n);
     const SurfaceTopology topology(surface.points.size(), surface.triangles);
     label origin = -1, corner = -1, probe = -1;
     forAll(surface.points, i)
@@ -27,7 +27,7 @@ TEST(EdgePaths, KnowDistancesOnAGrid)
         probe = mag(surface.points[i] - point(5, 2, 2)) < 1e-9 ? i : probe;
     }
     const EdgePaths paths(surface.points, topology, labelList(1, origin));
-    EXPECT_NEAR(paths.distances()[probe], 2*std::sqrt(2.0) + 3, 1e-12);
+    EXPECT_NEAR(paths.distances()[probe], 2 * std::sqrt(2.0) + 3, 1e-12);
     EXPECT_NEAR(paths.distances()[corner], n, 1e-12);
     EXPECT_EQ(paths.edgesTo(probe).size(), 5);
     EXPECT_TRUE(paths.edgesTo(origin).empty());
@@ -42,7 +42,7 @@ TEST(EdgePaths, KnowDistancesOnAGrid)
     EXPECT_NEAR(length, paths.distances()[probe], 1e-12);
 
     const scalar farthest = paths.distances()[paths.farthest()];
-    EXPECT_NEAR(farthest, n*std::sqrt(2.0), 1e-12);
+    EXPECT_NEAR(farthest, n * std::sqrt(2.0), 1e-12);
 }
 
 TEST(EdgePaths, DoNotLeadToOtherComponents)
@@ -54,5 +54,5 @@ TEST(EdgePaths, DoNotLeadToOtherComponents)
     const label last = two.points.size() - 1;
     EXPECT_GE(paths.distances()[last], GREAT);
     EXPECT_TRUE(paths.edgesTo(last).empty());
-    EXPECT_LT(paths.farthest(), two.points.size()/2);
+    EXPECT_LT(paths.farthest(), two.points.size() / 2);
 }

@@ -4,12 +4,15 @@
 #include "core/parametrization/Flattening.H"
 
 #include "core/Errors.H"
-#include "core/parametrization/SurfaceShape.H"
+#include "core/parametrization/DiskCut.H"
 #include "shapes/ChartOverlap.H"
+#include "shapes/RaggedSurface.H"
 #include "shapes/Surfaces.H"
 
 #include <gtest/gtest.h>
 
+#include <cfenv>
+#include <limits>
 #include <vector>
 
 using namespace Foam;
@@ -22,7 +25,7 @@ namespace
 template<class Vector>
 scalar angleBetween(const Vector& a, const Vector& b)
 {
-    const scalar cosine = (a & b)/(mag(a)*mag(b));
+    const scalar cosine = (a & b) / (mag(a) * mag(b));
     return std::acos(max(-1.0, min(1.0, cosine)));
 }
 
@@ -39,7 +42,8 @@ scalar angleError(const PlainSurface& surface, const List<vector2D>& chart)
                 surface.points[b] - surface.points[a],
                 surface.points[c] - surface.points[a]
             );
-            const scalar inPlane = angleBetween(chart[b] - chart[a], chart[c] - chart[a]);
+            const scalar inPlane =
+                angleBetween(chart[b] - chart[a], chart[c] - chart[a]);
             largest = max(largest, mag(onSurface - inPlane));
         }
     }
@@ -105,7 +109,7 @@ TEST(Flattening, TutteIsBarycentric)
     for (const label i : loop)
     {
         onBoundary[i] = true;
-        centre += chart[i]/loop.size();
+        centre += chart[i] / loop.size();
     }
     const scalar radius = mag(chart[loop[0]] - centre);
     List<vector2D> sums(nPoints, vector2D(0, 0));
@@ -121,7 +125,7 @@ TEST(Flattening, TutteIsBarycentric)
     {
         nInner += !onBoundary[i];
         const scalar error =
-            onBoundary[i] ? mag(chart[i] - centre)/radius - 1 : mag(sums[i])/radius;
+            onBoundary[i] ? mag(chart[i] - centre) / radius - 1 : mag(sums[i]) / radius;
         EXPECT_NEAR(error, 0, onBoundary[i] ? 0.02 : 1e-9);
     }
     EXPECT_GT(nInner, 100);
@@ -187,7 +191,7 @@ TEST(OneToOne, SeesAPlantedFlip)
         inner = p.z() > 0.9 && p.z() < 1.1 && p.x() < -0.9 ? i : inner;
     }
     ASSERT_GE(inner, 0);
-    chart[inner] += vector2D(1, 1)*mag(chart[0] - chart[1])*3;
+    chart[inner] += vector2D(1, 1) * mag(chart[0] - chart[1]) * 3;
     EXPECT_GT(countFlips(chart, surface.triangles), 0);
     EXPECT_FALSE(isOneToOne(surface, chart));
 }
@@ -196,17 +200,16 @@ TEST(OneToOne, SeesAPlantedFlip)
 // only the boundary tells.
 TEST(OneToOne, SeesAPlantedOverlap)
 {
-    const PlainSurface strip = grid(
-        [](scalar u, scalar v) { return point(7*u, -v, 0); }, 60, 2
-    );
+    const PlainSurface strip =
+        grid([](scalar u, scalar v) { return point(7 * u, -v, 0); }, 60, 2);
     for (const scalar turns : {0.9, 1.2})
     {
         List<vector2D> chart(strip.points.size());
         forAll(chart, i)
         {
-            const scalar phi = 2*M_PI*turns*strip.points[i].x()/7;
+            const scalar phi = 2 * M_PI * turns * strip.points[i].x() / 7;
             const scalar r = 2 + strip.points[i].y();
-            chart[i] = vector2D(-r*std::cos(phi), r*std::sin(phi));
+            chart[i] = vector2D(-r * std::cos(phi), r * std::sin(phi));
         }
         List<triFace> triangles(strip.triangles);
         PlainSurface surface = strip;
@@ -223,15 +226,18 @@ TEST(OneToOne, SeesAPlantedOverlap)
     }
 }
 
+// Also where floating point exceptions are trapped, as in OpenFOAM's programs.
 TEST(OneToOne, RefusesNonsense)
 {
     const PlainSurface surface = openCylinder(1, 2, 270, 6, 3);
     const List<vector2D> chart = Flattening::New("lscm")->flatten(surface);
     List<vector2D> broken = chart;
+    feenableexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW);
     broken[5].x() = std::nan("");
     EXPECT_FALSE(isOneToOne(surface, broken));
     broken[5].x() = std::numeric_limits<scalar>::infinity();
     EXPECT_FALSE(isOneToOne(surface, broken));
     EXPECT_FALSE(isOneToOne(surface, List<vector2D>()));
     EXPECT_FALSE(isOneToOne(surface, List<vector2D>(chart.size(), vector2D(1, 2))));
+    fedisableexcept(FE_ALL_EXCEPT);
 }

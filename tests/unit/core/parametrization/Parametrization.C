@@ -6,6 +6,7 @@
 #include "core/Errors.H"
 #include "core/parametrization/SurfaceShape.H"
 #include "shapes/ChartOverlap.H"
+#include "shapes/RaggedSurface.H"
 #include "shapes/Surfaces.H"
 
 #include <gtest/gtest.h>
@@ -22,7 +23,7 @@ namespace
 
 const boundBox unitBox(point(-1, -1, -1), point(1, 1, 1));
 const label n = 20;
-const scalar h = 2.0/n;
+const scalar h = 2.0 / n;
 
 scalar ball(const point& p, const point& centre, scalar radius)
 {
@@ -50,14 +51,13 @@ InterfaceMesh raggedScene()
     );
 }
 
-// Sorted pairs of what stands at the two ends of each edge, for seams.
 scalar parameterArea(const InterfaceMesh& mesh)
 {
     scalar area = 0;
     for (const triFace& t : parameterTriangles(mesh))
     {
         const List<vector2D>& p = mesh.parameters;
-        area += 0.5*(p[t[1]] - p[t[0]]).perp(p[t[2]] - p[t[0]]);
+        area += 0.5 * (p[t[1]] - p[t[0]]).perp(p[t[2]] - p[t[0]]);
     }
     return area;
 }
@@ -101,7 +101,7 @@ void expectInjective(const ParametrizationResult& result)
     }
     EXPECT_EQ(countFlips(surface.parameters, parameterTriangles(surface)), 0);
     EXPECT_EQ(countOverlaps(surface), 0);
-    EXPECT_NEAR(parameterArea(surface)/surface.area()/sqr(result.scale), 1, 1e-8);
+    EXPECT_NEAR(parameterArea(surface) / surface.area() / sqr(result.scale), 1, 1e-8);
 }
 
 } // namespace
@@ -116,8 +116,8 @@ TEST(Parametrization, OfARaggedSceneIsInjective)
     EXPECT_EQ(result.nFallbacks, 0);
     EXPECT_EQ(result.nKept, 1);
     EXPECT_GT(result.remeshingDistance, 0);
-    EXPECT_LT(result.remeshingDistance, 0.25*h);
-    EXPECT_NEAR(result.surface.area()/mesh.area(), 1, 0.05);
+    EXPECT_LT(result.remeshingDistance, 0.25 * h);
+    EXPECT_NEAR(result.surface.area() / mesh.area(), 1, 0.05);
     for (const scalar size : result.surface.cellSizes)
     {
         EXPECT_EQ(size, h);
@@ -164,7 +164,8 @@ TEST(Parametrization, HasSeamsWhereTopologyNeedsThem)
             const label there = surface.triangles[other].which(pointi);
             const bool seam =
                 surface.corners[trianglei][k] != surface.corners[other][there];
-            const bool cap = surface.points[pointi].z() < -0.1 && surface.points[pointi].x() < 0.4;
+            const bool cap =
+                surface.points[pointi].z() < -0.1 && surface.points[pointi].x() < 0.4;
             EXPECT_FALSE(seam && cap);
             nSeams += seam;
         }
@@ -177,8 +178,8 @@ TEST(Parametrization, OfManyDropletsIsInjective)
     std::vector<PlainSurface> drops;
     for (label i = 0; i < 1500; ++i)
     {
-        const point centre(3*(i % 40), 3*(i/40), 0.1*(i % 7));
-        drops.push_back(sphere(centre, 0.3 + 0.01*(i % 13), i % 11 == 0 ? 2 : 0));
+        const point centre(3 * (i % 40), 3 * (i / 40), 0.1 * (i % 7));
+        drops.push_back(sphere(centre, 0.3 + 0.01 * (i % 13), i % 11 == 0 ? 2 : 0));
     }
     const ParametrizationResult result =
         parametrize(asInterface(together(drops), 1), ParametrizationOptions());
@@ -196,8 +197,10 @@ TEST(Parametrization, RunsUnderTraps)
     const int during = fegetexcept();
     fedisableexcept(FE_ALL_EXCEPT);
     feenableexcept(before);
-    EXPECT_EQ(during & (FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW),
-              FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW);
+    EXPECT_EQ(
+        during & (FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW),
+        FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW
+    );
     EXPECT_EQ(result.nCharts, 4);
 }
 

@@ -62,7 +62,9 @@ TEST(Patches, PartWhereMaterialsChange)
             shapeOf(patch.surface.points.size(), patch.surface.triangles);
         EXPECT_TRUE(shape.isDisk());
         const bool upper = patch.materials == labelPair(0, 2);
-        EXPECT_EQ(patch.surface.triangles[0].centre(patch.surface.points).z() > 0.1, upper);
+        EXPECT_EQ(
+            patch.surface.triangles[0].centre(patch.surface.points).z() > 0.1, upper
+        );
     }
 }
 
@@ -70,10 +72,12 @@ TEST(Patches, PartWhereMaterialsChange)
 TEST(Patches, PartAtNonManifoldEdges)
 {
     InterfaceMesh mesh;
-    mesh.points = pointField({
-        point(0, 0, 0), point(0, 0, 1), point(1, 0, 0), point(-1, 1, 0), point(-1, -1, 0)
-    });
-    mesh.triangles = List<triFace>({triFace(0, 1, 2), triFace(0, 1, 3), triFace(0, 1, 4)});
+    mesh.points = pointField(
+        {point(0, 0, 0), point(0, 0, 1), point(1, 0, 0), point(-1, 1, 0),
+         point(-1, -1, 0)}
+    );
+    mesh.triangles =
+        List<triFace>({triFace(0, 1, 2), triFace(0, 1, 3), triFace(0, 1, 4)});
     mesh.clearParametrization();
     EXPECT_EQ(patchesOf(mesh).size(), 3);
 }
@@ -83,14 +87,14 @@ TEST(Patches, PartAtNonManifoldEdges)
 TEST(Patches, PartAtPoints)
 {
     InterfaceMesh mesh;
-    mesh.points = pointField({
-        point(0, 0, 0), point(1, 0, 1), point(0, 1, 1), point(-1, -1, 1),
-        point(1, 0, -1), point(0, 1, -1), point(-1, -1, -1)
-    });
-    mesh.triangles = List<triFace>({
-        triFace(0, 1, 2), triFace(0, 2, 3), triFace(0, 3, 1),
-        triFace(0, 5, 4), triFace(0, 6, 5), triFace(0, 4, 6)
-    });
+    mesh.points = pointField(
+        {point(0, 0, 0), point(1, 0, 1), point(0, 1, 1), point(-1, -1, 1),
+         point(1, 0, -1), point(0, 1, -1), point(-1, -1, -1)}
+    );
+    mesh.triangles = List<triFace>(
+        {triFace(0, 1, 2), triFace(0, 2, 3), triFace(0, 3, 1), triFace(0, 5, 4),
+         triFace(0, 6, 5), triFace(0, 4, 6)}
+    );
     mesh.clearParametrization();
     const List<Patch> patches = patchesOf(mesh);
     ASSERT_EQ(patches.size(), 2);

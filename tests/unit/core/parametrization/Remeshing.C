@@ -4,6 +4,7 @@
 #include "core/parametrization/Remeshing.H"
 
 #include "core/parametrization/SurfaceShape.H"
+#include "shapes/RaggedSurface.H"
 #include "shapes/Surfaces.H"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@ namespace
 {
 
 const label n = 20;
-const scalar h = 2.0/n;
+const scalar h = 2.0 / n;
 
 PlainSurface raggedCap()
 {
@@ -48,30 +49,32 @@ TEST(Remeshing, MakesEvenTriangles)
 {
     const PlainSurface ragged = raggedCap();
     ASSERT_LT(smallestAngle(ragged), 0.02);
-    const RemeshingResult result = remesh(ragged, 0.5*h);
+    const RemeshingResult result = remesh(ragged, 0.5 * h);
     ASSERT_FALSE(result.kept);
     EXPECT_GT(smallestAngle(result.surface), 0.1);
     EXPECT_GT(result.largestDistance, 0);
-    EXPECT_LT(result.largestDistance, 0.25*h);
+    EXPECT_LT(result.largestDistance, 0.25 * h);
 
     const SurfaceShape shape =
         shapeOf(result.surface.points.size(), result.surface.triangles);
     EXPECT_TRUE(shape.isDisk());
 
     scalar length = 0;
-    const SurfaceTopology topology(result.surface.points.size(), result.surface.triangles);
+    const SurfaceTopology topology(
+        result.surface.points.size(), result.surface.triangles
+    );
     for (const SurfaceEdge& e : topology.edges())
     {
         length += mag(result.surface.points[e.a] - result.surface.points[e.b]);
     }
     length /= topology.edges().size();
-    EXPECT_NEAR(length/(0.5*h), 1, 0.2);
+    EXPECT_NEAR(length / (0.5 * h), 1, 0.2);
 }
 
 TEST(Remeshing, KeepsTheBoundary)
 {
     const PlainSurface ragged = raggedCap();
-    const RemeshingResult result = remesh(ragged, 0.5*h);
+    const RemeshingResult result = remesh(ragged, 0.5 * h);
     const labelList loop =
         boundaryLoops(result.surface.points.size(), result.surface.triangles)[0];
     scalar length = 0;
@@ -81,7 +84,7 @@ TEST(Remeshing, KeepsTheBoundary)
         EXPECT_NEAR(p.z(), -1, 1e-12);
         length += mag(p - result.surface.points[loop[loop.fcIndex(i)]]);
     }
-    EXPECT_NEAR(length/(2*M_PI*0.9), 1, 0.03);
+    EXPECT_NEAR(length / (2 * M_PI * 0.9), 1, 0.03);
 
     // Points of the boundary take after points of the boundary.
     for (const label i : loop)
@@ -94,11 +97,12 @@ TEST(Remeshing, KeepsTheBoundary)
 TEST(Remeshing, KnowsTheNearestPoints)
 {
     const PlainSurface ragged = raggedCap();
-    const RemeshingResult result = remesh(ragged, 0.5*h);
+    const RemeshingResult result = remesh(ragged, 0.5 * h);
     ASSERT_EQ(result.nearest.size(), result.surface.points.size());
     forAll(result.nearest, i)
     {
-        const scalar d = mag(result.surface.points[i] - ragged.points[result.nearest[i]]);
+        const scalar d =
+            mag(result.surface.points[i] - ragged.points[result.nearest[i]]);
         EXPECT_LT(d, h);
     }
 }
@@ -107,13 +111,15 @@ TEST(Remeshing, KnowsTheNearestPoints)
 TEST(Remeshing, KeepsCornersOfTheBoundary)
 {
     const PlainSurface square = grid(
-        [](scalar u, scalar v) { return point(u, v + 0.1*std::sin(3*u), 0.3*u*v); }, 40, 40
+        [](scalar u, scalar v)
+        { return point(u, v + 0.1 * std::sin(3 * u), 0.3 * u * v); },
+        40, 40
     );
     const RemeshingResult result = remesh(square, 0.1);
     ASSERT_FALSE(result.kept);
     for (const point& corner :
-         {point(0, 0, 0), point(1, 0.1*std::sin(3.0), 0), point(0, 1, 0),
-          point(1, 1 + 0.1*std::sin(3.0), 0.3)})
+         {point(0, 0, 0), point(1, 0.1 * std::sin(3.0), 0), point(0, 1, 0),
+          point(1, 1 + 0.1 * std::sin(3.0), 0.3)})
     {
         scalar nearest = GREAT;
         for (const point& p : result.surface.points)
@@ -129,11 +135,11 @@ TEST(Remeshing, DoesNotDependOnUnits)
     PlainSurface small = raggedCap();
     for (point& p : small.points)
     {
-        p = 1e-6*p + vector(3, 0, 0);
+        p = 1e-6 * p + vector(3, 0, 0);
     }
-    const RemeshingResult result = remesh(small, 1e-6*0.5*h);
+    const RemeshingResult result = remesh(small, 1e-6 * 0.5 * h);
     EXPECT_FALSE(result.kept);
-    EXPECT_LT(result.largestDistance, 1e-6*0.25*h);
+    EXPECT_LT(result.largestDistance, 1e-6 * 0.25 * h);
 }
 
 TEST(Remeshing, KeepsWhatIsTooSmall)
@@ -156,14 +162,14 @@ TEST(Remeshing, KeepsWhatIsNotManifold)
     const triFace t = surface.triangles[7];
     surface.points.append(surface.points[t[0]] + vector(0, 0, 0.3));
     surface.triangles.append(triFace(t[0], t[1], surface.points.size() - 1));
-    EXPECT_TRUE(remesh(surface, 0.5*h).kept);
+    EXPECT_TRUE(remesh(surface, 0.5 * h).kept);
 }
 
 TEST(Remeshing, IsRepeatable)
 {
     const PlainSurface ragged = raggedCap();
-    const RemeshingResult a = remesh(ragged, 0.5*h);
-    const RemeshingResult b = remesh(ragged, 0.5*h);
+    const RemeshingResult a = remesh(ragged, 0.5 * h);
+    const RemeshingResult b = remesh(ragged, 0.5 * h);
     EXPECT_EQ(a.surface.triangles, b.surface.triangles);
     EXPECT_EQ(a.surface.points, b.surface.points);
 }

@@ -29,17 +29,17 @@ vector2D boxSize(const List<vector2D>& points)
 // A rectangle with points inside, turned by any angle, gets its own size as box.
 TEST(SmallestBox, IsThatOfATurnedRectangle)
 {
-    for (const scalar angle : {0.0, 0.3, 1.2, 2.5, -0.7, 0.5*M_PI})
+    for (const scalar angle : {0.0, 0.3, 1.2, 2.5, -0.7, 0.5 * M_PI})
     {
         List<vector2D> points;
         for (label i = 0; i <= 8; ++i)
         {
             for (label j = 0; j <= 3; ++j)
             {
-                const scalar x = 5 + 0.7*i, y = 0.2*j - 9;
+                const scalar x = 5 + 0.7 * i, y = 0.2 * j - 9;
                 points.append(vector2D(
-                    x*std::cos(angle) - y*std::sin(angle),
-                    x*std::sin(angle) + y*std::cos(angle)
+                    x * std::cos(angle) - y * std::sin(angle),
+                    x * std::sin(angle) + y * std::cos(angle)
                 ));
             }
         }
@@ -63,7 +63,7 @@ TEST(SmallestBox, OfOnePointIsLegal)
     List<vector2D> points(1, vector2D(3, 4));
     turnIntoSmallestBox(points);
     EXPECT_EQ(boxSize(points), vector2D(0, 0));
-    points.append(points[0]);
+    points = List<vector2D>(2, vector2D(3, 4));
     turnIntoSmallestBox(points);
     EXPECT_EQ(boxSize(points), vector2D(0, 0));
 }

@@ -16,7 +16,8 @@ TEST(SurfaceShape, SplitsFans)
 {
     const List<triFace> triangles({triFace(0, 1, 2), triFace(2, 3, 4)});
     const SurfaceTopology topology(5, triangles);
-    const Fans fans = splitFans(topology, triangles, List<bool>(topology.edges().size(), false));
+    const Fans fans =
+        splitFans(topology, triangles, List<bool>(topology.edges().size(), false));
     EXPECT_EQ(fans.points, labelList({0, 1, 2, 2, 3, 4}));
     EXPECT_NE(fans.corners[0][2], fans.corners[1][0]);
 }
@@ -26,9 +27,8 @@ TEST(SurfaceShape, SplitsFans)
 TEST(SurfaceShape, SplitsFansAlongCuts)
 {
     const label n = 6;
-    const PlainSurface square = grid(
-        [&](scalar u, scalar v) { return point(n*u, n*v, 0); }, n, n
-    );
+    const PlainSurface square =
+        grid([&](scalar u, scalar v) { return point(n * u, n * v, 0); }, n, n);
     const SurfaceTopology topology(square.points.size(), square.triangles);
     for (const scalar end : {scalar(n), 3.0})
     {
@@ -38,7 +38,7 @@ TEST(SurfaceShape, SplitsFansAlongCuts)
             const point& a = square.points[topology.edges()[edgei].a];
             const point& b = square.points[topology.edges()[edgei].b];
             cut[edgei] = mag(a.x() - 2) < 1e-9 && mag(b.x() - 2) < 1e-9
-                && max(a.y(), b.y()) < end + 1e-9;
+                         && max(a.y(), b.y()) < end + 1e-9;
         }
         const Fans fans = splitFans(topology, square.triangles, cut);
         const label nDoubled = end < n ? 3 : n + 1;
@@ -57,7 +57,8 @@ TEST(SurfaceShape, FindsLoopsInTheDirectionOfTriangles)
         scalar area = 0;
         forAll(loop, i)
         {
-            area += 0.5*(ring.points[loop[i]] ^ ring.points[loop[loop.fcIndex(i)]]).z();
+            area +=
+                0.5 * (ring.points[loop[i]] ^ ring.points[loop[loop.fcIndex(i)]]).z();
         }
         // The surface lies to the left: outside of the inner loop.
         const bool outer = mag(ring.points[loop[0]]) > 0.9;

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "foam/ProgressReport.H"
+
+#include "messageStream.H"
+
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+// Beyond so many cells between classifications p is resampled from afar.
+constexpr scalar largestDisplacement = 2.5;
+
+} // namespace
+
+void ProgressReport::classified(
+    const Classification& c, const word& timeName, scalar seconds,
+    const TrackerOptions& options
+)
+{
+    ++nClassified_;
+    if (shown_)
+    {
+        showProgress(c, timeName, seconds);
+        showTroubles(c);
+    }
+    warn(c, timeName, options);
+}
+
+void ProgressReport::showProgress(
+    const Classification& c, const word& timeName, scalar seconds
+) const
+{
+    const Statistics& s = c.statistics;
+    std::ostringstream line;
+    line << std::setprecision(3) << "interfaceStability: step " << nClassified_;
+    if (nExpected_ > 0)
+    {
+        line << " of " << nExpected_;
+    }
+    line << ", time " << timeName << " s: " << s.nVertices << " vertices, "
+         << 100 * s.stableFraction() << " % stable, "
+         << s.detachedNearWall + s.detachedElsewhere << " m2 detached, " << s.nParticles
+         << " particles; moved " << s.displacement << " cells, epsilon/interval "
+         << s.drift() << " m/s; " << seconds << " s";
+    if (nExpected_ > nClassified_)
+    {
+        const scalar left = seconds / nClassified_ * (nExpected_ - nClassified_);
+        line << ", about " << label(std::ceil(left)) << " s left";
+    }
+    Info << line.str().c_str() << endl;
+}
+
+void ProgressReport::showTroubles(const Classification& c) const
+{
+    if (c.statistics.nTriangles == 0)
+    {
+        Info << "    there is no interface at this time" << endl;
+    }
+    if (c.parametrization)
+    {
+        const ParametrizationResult& p = *c.parametrization;
+        Info << "    parametrized: " << p.nCharts << " charts; " << p.nFallbacks
+             << " by the fallback of the flattening, " << p.nKept
+             << " too small or not fit to be remeshed" << endl;
+    }
+    const IntegrationCounts& surface = c.timeSurfaceCounts;
+    const IntegrationCounts& particles = c.particleCounts;
+    if (surface.nStuck + surface.nLost + particles.nStuck + particles.nLost > 0)
+    {
+        Info << "    of the interface " << surface.nStuck << " points are stuck, "
+             << surface.nLost << " lost; of the particles " << particles.nStuck
+             << " stuck, " << particles.nLost << " lost" << endl;
+    }
+    if (c.transfer.nUnresolved > 0)
+    {
+        Info << "    " << c.transfer.nUnresolved << " of " << c.transfer.nCrossing
+             << " triangles on seams could not be split" << endl;
+    }
+}
+
+void ProgressReport::warn(
+    const Classification& c, const word& timeName, const TrackerOptions& options
+)
+{
+    const scalar displacement = c.statistics.displacement;
+    if (displacement > largestDisplacement && !warnedDisplacement_)
+    {
+        warnedDisplacement_ = true;
+        Warning << "interfaceStability: at time " << timeName
+                << " s the interface had moved " << displacement
+                << " cells (rms) since the last classified time. Above "
+                << largestDisplacement
+                << " the results lose accuracy: write more times. Told once; see the "
+                   "column displacement of stability.dat."
+                << endl;
+    }
+    if (c.nSkippedParticles > 0 && !warnedParticles_)
+    {
+        warnedParticles_ = true;
+        Warning << "interfaceStability: at time " << timeName
+                << " s the particles reached maxParticles (" << options.maxParticles
+                << "): " << c.nSkippedParticles
+                << " found no room, and no more will be seeded. Told once." << endl;
+    }
+}
+
+} // namespace Foam::stability
