@@ -167,6 +167,19 @@ tmp<FieldType> getField(const fvMesh& mesh, const word& name)
     }
 }
 
+// While it lives, OpenFOAM prints neither progress nor warnings.
+class Silence
+{
+public:
+    Silence() : level_(messageStream::level) { messageStream::level = 0; }
+    ~Silence() { messageStream::level = level_; }
+    Silence(const Silence&) = delete;
+    Silence& operator=(const Silence&) = delete;
+
+private:
+    int level_;
+};
+
 // What is wrong with a field at a time, by its header; empty if nothing is.
 template<class FieldType>
 std::string complaint(const fvMesh& mesh, const word& name, const word& timeName)
@@ -187,13 +200,17 @@ std::string complaint(const fvMesh& mesh, const word& name, const word& timeName
         return "There is no field " + name + " at time " + timeName + " (no file "
                + file + ").";
     }
-    io.typeHeaderOk<FieldType>(true, true, false);
-    if (io.headerClassName() == FieldType::typeName)
+    bool legible = false;
     {
-        return "";
+        const Silence silence;
+        legible = io.typeHeaderOk<FieldType>(false, true, false);
     }
-    return io.headerClassName().empty()
-               ? "File " + file + " has no legible header."
+    if (!legible)
+    {
+        return "File " + file + " has no legible header.";
+    }
+    return io.headerClassName() == FieldType::typeName
+               ? ""
                : "File " + file + " holds a " + io.headerClassName() + "; needed is a "
                      + FieldType::typeName + ".";
 }

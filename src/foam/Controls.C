@@ -6,6 +6,12 @@
 #include "core/parametrization/Flattening.H"
 #include "IOdictionary.H"
 #include "OSspecific.H"
+#include "StringStream.H"
+
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
+#include <vector>
 
 #include <omp.h>
 
@@ -97,40 +103,83 @@ struct Range
     bool openLow = false; // low itself is not allowed
 };
 
+// The words of an entry, as given; empty where it is absent.
+std::string given(const dictionary& dict, const word& key)
+{
+    OStringStream os;
+    const entry* e = dict.findEntry(key, keyType::LITERAL);
+    if (e && e->isStream())
+    {
+        for (const token& t : e->stream())
+        {
+            os << (os.str().empty() ? "" : " ") << t;
+        }
+    }
+    return os.str();
+}
+
+[[noreturn]] void
+refuse(const dictionary& dict, const word& key, const std::string& allowed)
+{
+    FatalIOErrorInFunction(dict)
+        << "Entry '" << key << "' is '" << given(dict, key).c_str() << "'; allowed is "
+        << allowed.c_str() << '.' << exit(FatalIOError);
+    std::abort(); // not reached: exit() ends the program or throws
+}
+
 template<class Type>
 Type readNumber(
     const dictionary& dict, const word& key, Type standard, const Range& range
 )
 {
-    const Type value = dict.getOrDefault<Type>(key, standard);
+    if (!dict.found(key, keyType::LITERAL))
+    {
+        return standard;
+    }
+    constexpr bool whole = std::is_same_v<Type, label>;
+    std::ostringstream allowed;
+    allowed << (whole ? "a whole number, " : "a number, ")
+            << (range.openLow ? "above " : "") << range.low << " to " << range.high
+            << range.unit;
+
+    const entry* e = dict.findEntry(key, keyType::LITERAL);
+    if (!e->isStream() || e->stream().size() != 1)
+    {
+        refuse(dict, key, allowed.str());
+    }
+    const token& t = e->stream()[0];
+    if (whole ? !t.isLabel() : !t.isNumber())
+    {
+        refuse(dict, key, allowed.str());
+    }
+    const scalar value = t.number();
     if (value < range.low || value > range.high
         || (range.openLow && value == range.low))
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry '" << key << "' is " << value << "; allowed is "
-            << (range.openLow ? "above " : "") << range.low << " to " << range.high
-            << range.unit << '.' << exit(FatalIOError);
+        refuse(dict, key, allowed.str());
     }
-    return value;
+    return Type(value);
 }
 
-// A method of the core, by its name.
-std::string readName(
-    const dictionary& dict, const word& key, const std::string& standard,
+// The word of an entry, one of those named.
+word readWord(
+    const dictionary& dict, const word& key, const word& standard,
     const std::vector<std::string>& names
 )
 {
-    const word value = dict.getOrDefault<word>(key, standard);
+    if (!dict.found(key, keyType::LITERAL))
+    {
+        return standard;
+    }
+    const std::string value = given(dict, key);
     if (std::find(names.begin(), names.end(), value) == names.end())
     {
         std::string list;
         for (const std::string& name : names)
         {
-            list += (list.empty() ? "" : " ") + name;
+            list += (list.empty() ? "" : ", ") + name;
         }
-        FatalIOErrorInFunction(dict)
-            << "Entry '" << key << "' is '" << value << "'; allowed is one of ("
-            << list.c_str() << ")." << exit(FatalIOError);
+        refuse(dict, key, "one of " + list);
     }
     return value;
 }
@@ -141,17 +190,31 @@ EnumType readEnum(
     const Enum<EnumType>& names
 )
 {
-    const word value = dict.getOrDefault<word>(key, names.get(standard));
-    if (!names.found(value))
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry '" << key << "' is '" << value << "'; allowed is one of "
-            << flatOutput(names.names()) << '.' << exit(FatalIOError);
-    }
-    return names.get(value);
+    const std::vector<std::string> list(names.names().begin(), names.names().end());
+    return names.get(readWord(dict, key, names.get(standard), list));
 }
 
-Epsilon readEpsilon(const dictionary& dict, const std::string& reconstruction)
+bool readSwitch(const dictionary& dict, const word& key, bool standard)
+{
+    const std::vector<std::string> names{"yes", "no", "true", "false", "on", "off"};
+    const word value = readWord(dict, key, standard ? "yes" : "no", names);
+    return value == "yes" || value == "true" || value == "on";
+}
+
+// The name of a field.
+word readName(const dictionary& dict, const word& key, const word& standard)
+{
+    const std::string value = given(dict, key);
+    if (dict.found(key, keyType::LITERAL)
+        && (value.empty() || !word::valid(value.front())
+            || value.find(' ') != value.npos))
+    {
+        refuse(dict, key, "one name");
+    }
+    return value.empty() ? standard : word(value);
+}
+
+Epsilon readEpsilon(const dictionary& dict, const word& reconstruction)
 {
     if (dict.found("epsilon") && dict.found("epsilonAbsolute"))
     {
@@ -179,18 +242,18 @@ Epsilon readEpsilon(const dictionary& dict, const std::string& reconstruction)
 TrackerOptions readTrackerOptions(const dictionary& dict)
 {
     TrackerOptions options;
-    options.reconstruction.method = readName(
+    options.reconstruction.method = readWord(
         dict, "reconstruction", options.reconstruction.method, Reconstruction::names()
     );
     options.reconstruction.smooth =
         readNumber<label>(dict, "smooth", 0, Range{0, 1000, " pairs"});
-    options.parametrization.flattening = readName(
+    options.parametrization.flattening = readWord(
         dict, "flattening", options.parametrization.flattening, Flattening::names()
     );
     options.matching.epsilon = readEpsilon(dict, options.reconstruction.method);
-    options.matching.normalGate = dict.getOrDefault<bool>("normalGate", true);
+    options.matching.normalGate = readSwitch(dict, "normalGate", true);
     options.transfer.merge = readEnum(dict, "merge", Merge::nearest, mergeNames);
-    options.transfer.seamTreatment = dict.getOrDefault<bool>("seamTreatment", true);
+    options.transfer.seamTreatment = readSwitch(dict, "seamTreatment", true);
     options.wallVelocity =
         readEnum(dict, "wallVelocity", WallVelocity::slip, wallVelocityNames);
     options.integration.tolerance =
@@ -210,8 +273,8 @@ Controls readControls(const dictionary& dict, Shell shell)
 {
     checkKeys(dict, shell);
     Controls controls;
-    controls.alpha = dict.getOrDefault<word>("alpha", word::null);
-    controls.U = dict.getOrDefault<word>("U", controls.U);
+    controls.alpha = readName(dict, "alpha", word::null);
+    controls.U = readName(dict, "U", controls.U);
     controls.tracker = readTrackerOptions(dict);
     controls.onError = readEnum(dict, "onError", OnError::stop, onErrorNames);
     return controls;

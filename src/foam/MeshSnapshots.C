@@ -99,6 +99,24 @@ scalarField boundaryAlpha(const volScalarField& alpha, const CellComplex& comple
     return values;
 }
 
+// At symmetries the velocity is that of the cell without its normal part: OpenFOAM's
+// patches round it differently when they are read and when they are evaluated.
+vectorField boundaryVelocity(const volVectorField& U, const CellComplex& complex)
+{
+    vectorField values(boundaryValues(U));
+    forAll(values, i)
+    {
+        if (complex.kinds()[i] == BoundaryKind::symmetry)
+        {
+            const label facei = complex.nInternalFaces() + i;
+            const vector& inCell = U[complex.owner()[facei]];
+            const vector& area = complex.faceAreas()[facei];
+            values[i] = inCell - (inCell & area) / max(magSqr(area), VSMALL) * area;
+        }
+    }
+    return values;
+}
+
 } // namespace
 
 MeshSnapshots::MeshSnapshots(const fvMesh& mesh)
@@ -116,7 +134,7 @@ std::shared_ptr<const FlowSnapshot> MeshSnapshots::take(
     snapshot->alphas = List<scalarField>(1, alpha.primitiveField());
     snapshot->boundaryAlphas = List<scalarField>(1, boundaryAlpha(alpha, *complex_));
     snapshot->U = U.primitiveField();
-    snapshot->boundaryU = boundaryValues(U);
+    snapshot->boundaryU = boundaryVelocity(U, *complex_);
     try
     {
         snapshot->check();

@@ -41,7 +41,8 @@ Ended walk(const CellComplex& complex, const point& x, CellHint& hint, CellTet& 
         }
         if (tet.w[0] >= -onFace)
         {
-            return Ended::found;
+            // In no cone: a cell whose centre sees some of its faces from behind.
+            return tet.least() >= -overlap ? Ended::found : Ended::failed;
         }
         if (tet.facei >= complex.nInternalFaces())
         {
@@ -104,9 +105,12 @@ Ended find(const CellComplex& complex, const point& x, CellHint& hint, CellTet& 
         return ended;
     }
     hint = CellHint{celli, -1};
-    const bool near = chooseTet(complex, x, hint, tet) && tet.w[0] >= -farthest
-                      && tet.least() >= -farthest;
-    return near ? Ended::found : Ended::failed;
+    if (!chooseTet(complex, x, hint, tet))
+    {
+        return Ended::failed;
+    }
+    const bool near = min(tet.w[0], tet.least()) >= -farthest;
+    return near || complex.holds(celli, x) ? Ended::found : Ended::failed;
 }
 
 // Around an edge of an obstacle the line from the centre may hit the wall although x
@@ -234,7 +238,7 @@ Location locate(const CellComplex& complex, const point& x, CellHint& hint)
         return location;
     }
     location.cell = hint.cell;
-    settle(complex, tet, tet.w[0] < -onFace, location);
+    settle(complex, tet, ended == Ended::boundary, location);
     const vector moved = location.position - x;
     if (magSqr(moved) > 0 && magSqr(moved) > sqr(trusted * radius(complex, hint.cell)))
     {

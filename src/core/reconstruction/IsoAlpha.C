@@ -129,23 +129,42 @@ private:
         return {pointi, value, complex_.points()[pointi]};
     }
 
-    // Weighted by 1/distance, summed in an order given by position: a start from
-    // setFields has means of exactly 1/2, which must not depend on the numbering.
+    // Over the cells around a point, or, on the boundary, over its faces there.
     scalar meanAround(label pointi) const
     {
-        const pointField& centres = complex_.cellCentres();
-        labelList cells(complex_.pointCells()[pointi]);
+        const UList<label> faces = complex_.pointBoundaryFaces()[pointi];
+        if (faces.empty())
+        {
+            const auto alpha = [&](label celli) { return fractions_.cells[celli]; };
+            return mean(
+                pointi, complex_.pointCells()[pointi], complex_.cellCentres(), alpha
+            );
+        }
+        const auto alpha = [&](label facei)
+        { return fractions_.boundaryFaces[facei - complex_.nInternalFaces()]; };
+        return mean(pointi, faces, complex_.faceCentres(), alpha);
+    }
+
+    // Weighted by 1/distance, summed in an order given by position: a start from
+    // setFields has means of exactly 1/2, which must not depend on the numbering.
+    template<class Alpha>
+    scalar mean(
+        label pointi, const UList<label>& around, const pointField& centres,
+        const Alpha& alpha
+    ) const
+    {
+        labelList ordered(around);
         std::sort(
-            cells.begin(), cells.end(),
+            ordered.begin(), ordered.end(),
             [&](label a, label b) { return beforeByPosition(centres[a], centres[b]); }
         );
         scalar sum = 0;
         scalar weights = 0;
-        for (const label celli : cells)
+        for (const label i : ordered)
         {
-            const scalar distance = mag(centres[celli] - complex_.points()[pointi]);
+            const scalar distance = mag(centres[i] - complex_.points()[pointi]);
             const scalar weight = 1 / max(distance, VSMALL);
-            sum += weight * fractions_.cells[celli];
+            sum += weight * alpha(i);
             weights += weight;
         }
         return VolumeFractions::rounded(sum / weights);

@@ -3,6 +3,8 @@
 
 #include "core/reconstruction/VolumeFractions.H"
 #include "core/Errors.H"
+#include "symmTensor.H"
+#include "tensor.H"
 
 #include <cmath>
 #include <string>
@@ -23,6 +25,56 @@ scalarField clamped(const scalarField& alpha)
     return result;
 }
 
+// Least-squares gradient of alpha over the cells across the faces of a cell [1/m];
+// zero along a direction in which the cell has no neighbour.
+vector faceGradient(const CellComplex& complex, const scalarField& alpha, label celli)
+{
+    symmTensor matrix(Zero);
+    vector moment(Zero);
+    for (const label facei : complex.cellFaces()[celli])
+    {
+        if (facei < complex.nInternalFaces())
+        {
+            const label other = complex.owner()[facei] == celli
+                                    ? complex.neighbour()[facei]
+                                    : complex.owner()[facei];
+            const vector d =
+                (complex.cellCentres()[other] - complex.cellCentres()[celli])
+                / complex.cellSizes()[celli];
+            matrix += sqr(d);
+            moment += (alpha[other] - alpha[celli]) * d;
+        }
+    }
+    // A little of the unit matrix: a cell without neighbours along a direction.
+    matrix += 1e-6 * symmTensor(I);
+    return (inv(matrix) & moment) / complex.cellSizes()[celli];
+}
+
+// Where the solver says no more of the boundary than that alpha does not change
+// towards it, the value is extrapolated from the cells: an interface then meets a
+// wall at its own angle, and a film is there down to a third of a cell.
+scalarField extrapolated(
+    const CellComplex& complex, const scalarField& cells, const scalarField& boundary
+)
+{
+    constexpr scalar roundOff = 1e-9;
+    scalarField result(boundary);
+    forAll(boundary, i)
+    {
+        const label facei = complex.nInternalFaces() + i;
+        const label celli = complex.owner()[facei];
+        if (mag(boundary[i] - cells[celli]) < roundOff)
+        {
+            const vector d =
+                complex.faceCentres()[facei] - complex.cellCentres()[celli];
+            const scalar value =
+                cells[celli] + (faceGradient(complex, cells, celli) & d);
+            result[i] = VolumeFractions::rounded(min(max(value, scalar(0)), scalar(1)));
+        }
+    }
+    return result;
+}
+
 } // namespace
 
 VolumeFractions::VolumeFractions(const FlowSnapshot& snapshot)
@@ -36,7 +88,8 @@ VolumeFractions::VolumeFractions(const FlowSnapshot& snapshot)
         );
     }
     cells = clamped(snapshot.alphas[0]);
-    boundaryFaces = clamped(snapshot.boundaryAlphas[0]);
+    boundaryFaces =
+        extrapolated(*snapshot.complex, cells, clamped(snapshot.boundaryAlphas[0]));
 
     const scalarField& V = snapshot.complex->cellVolumes();
     forAll(cells, celli)

@@ -3,6 +3,8 @@
 
 #include "core/tracking/ParameterSheets.H"
 
+#include "core/tracking/SeamLines.H"
+
 #include <algorithm>
 #include <vector>
 
@@ -144,26 +146,26 @@ List<triFace> ParameterSheets::findSeams() const
 
 List<SeamNode> ParameterSheets::findNodes() const
 {
-    labelList nSeams(mesh_.points.size(), 0);
-    for (const triFace& seam : seams_)
-    {
-        ++nSeams[seam[0]];
-        ++nSeams[seam[1]];
-    }
+    constexpr scalar straight = 0.05; // of a cell
+    const SeamCorners corners =
+        seamCorners(mesh_.points, seams_, straight * mesh_.cellSizes);
+    List<bool> atBoundary(mesh_.points.size(), false);
     for (const SurfaceEdge& edge : target_.topology().edges())
     {
         if (edge.nTriangles == 1)
         {
-            nSeams[edge.a] = nSeams[edge.b] = 0;
+            atBoundary[edge.a] = atBoundary[edge.b] = true;
         }
     }
 
     DynamicList<SeamNode> nodes;
-    forAll(nSeams, pointi)
+    forAll(corners.points, i)
     {
-        if (nSeams[pointi] == 1 || nSeams[pointi] > 2)
+        const label pointi = corners.points[i];
+        if (!atBoundary[pointi])
         {
-            SeamNode node{mesh_.points[pointi], Zero, mesh_.cellSizes[pointi]};
+            SeamNode node{
+                mesh_.points[pointi], Zero, mesh_.cellSizes[pointi], corners.isNode[i]};
             for (const label trianglei : pointTriangles_[pointi])
             {
                 node.normal += mesh_.areaVector(trianglei);

@@ -64,13 +64,13 @@ void SeamCuts::insertNodes(const InterfaceMesh& mesh, const List<SeamNode>& node
             {
                 own.append(foot.triangle);
             }
-            insertNode(foot, own);
+            insertNode(foot, node.isEnd, own);
         }
     }
 }
 
 // `parts`: what earlier nodes have left of the triangle.
-void SeamCuts::insertNode(const SurfacePoint& foot, labelList& parts)
+void SeamCuts::insertNode(const SurfacePoint& foot, bool isEnd, labelList& parts)
 {
     label trianglei = -1;
     SurfacePoint at;
@@ -90,11 +90,13 @@ void SeamCuts::insertNode(const SurfacePoint& foot, labelList& parts)
     const triFace t = triangles_[trianglei];
     const label nearest =
         std::max_element(at.weights.begin(), at.weights.end()) - at.weights.begin();
+    const scalar least = *std::min_element(at.weights.begin(), at.weights.end());
     const SheetPoint& corner = vertices_[t[nearest]].seen;
-    if (at.weights[nearest] > 1 - options_.snap
+    constexpr scalar roomForTurn = 0.03;
+    if (at.weights[nearest] > 1 - options_.snap || (!isEnd && least < roomForTurn)
         || mag(corner.x - at.position) < options_.narrowestSheet * corner.cellSize)
     {
-        return; // a vertex of M is there, or near enough
+        return; // a vertex of M, or a cut of its edge, does as well
     }
 
     // Off the edges by less than Algorithm 1 resolves.

@@ -201,7 +201,9 @@ void SeamTreatment::split(label trianglei, const FixedList<EdgeCut, 3>& cuts)
     replace(trianglei, parts);
 }
 
-// Three cuts: to which corner's sheet does the triangle in the middle belong?
+// Three cuts: to which corner's sheet does the triangle in the middle belong? To that
+// of its centre, if the two points that lie on it are far enough apart to tell where
+// the third would be.
 label SeamTreatment::middleCorner(const triFace& t, const FixedList<EdgeCut, 3>& cuts)
     const
 {
@@ -209,27 +211,29 @@ label SeamTreatment::middleCorner(const triFace& t, const FixedList<EdgeCut, 3>&
     {
         return 0;
     }
+    FixedList<scalar, 3> known; // length of the side that corner k knows p of
+    label longest = 0;
+    for (label k = 0; k < 3; ++k)
+    {
+        known[k] = mag(seen(cuts[k].point).x - seen(cuts[(k + 2) % 3].point).x);
+        longest = known[k] > known[longest] ? k : longest;
+    }
     const point &a = seen(cuts[0].point).x, &b = seen(cuts[1].point).x,
                 &c = seen(cuts[2].point).x;
     const vector normal = (b - a) ^ (c - a);
     const SheetPoint centre = bisection_.locate(
         (a + b + c) / 3, normal / (mag(normal) + VSMALL), seen(t[0]).cellSize
     );
+    constexpr scalar enough = 0.5;
     for (label k = 0; k < 3 && centre.sheet.valid(); ++k)
     {
-        if (seen(t[k]).sheet.valid() && bisection_.joined(seen(t[k]), centre, 0))
+        if (known[k] > enough * known[longest] && seen(t[k]).sheet.valid()
+            && bisection_.joined(seen(t[k]), centre, 0))
         {
             return k;
         }
     }
-    for (label k = 0; k < 3; ++k)
-    {
-        if (seen(t[k]).sheet.valid())
-        {
-            return k;
-        }
-    }
-    return 0;
+    return longest;
 }
 
 void SeamTreatment::writeBack()

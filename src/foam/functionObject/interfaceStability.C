@@ -32,9 +32,9 @@ interfaceStability::interfaceStability(
     read(dict);
     if (Pstream::parRun())
     {
+        nFailures_ = maxFailures;
         report("It does not run in parallel yet: use the utility, on the reconstructed "
                "case.");
-        disabled_ = true;
         return;
     }
     if (!postProcess)
@@ -44,22 +44,20 @@ interfaceStability::interfaceStability(
     if (!beginsLater(dict))
     {
         advance();
-        guarded([&] { session_->classify(); });
     }
 }
 
 bool interfaceStability::read(const dictionary& dict)
 {
-    const bool first = read_.empty();
     stability::Controls controls;
     const auto parse = [&]
     { controls = stability::readControls(dict, stability::Shell::functionObject); };
-    if (first)
+    if (!wasRead_)
     {
         fvMeshFunctionObject::read(dict);
         parse();
         controls_ = controls;
-        read_ = dict;
+        wasRead_ = true;
     }
     else
     {
@@ -159,24 +157,39 @@ void interfaceStability::advance()
     {
         return;
     }
-    if (!session_)
+    const bool starts = !session_;
+    if (starts)
     {
-        const sigFpe::ignore untrapped;
-        const std::string failure = stability::failureOf(
-            [&]
-            {
-                session_ = std::make_unique<stability::AnalysisSession>(
-                    mesh_, controls_, name()
-                );
-                session_->report(log);
-            }
-        );
-        if (!failure.empty())
-        {
-            report(failure);
-        }
+        begin();
     }
-    guarded([&] { session_->advance(); });
+    guarded(
+        [&]
+        {
+            session_->advance();
+            // The start is classified whatever time it is.
+            if (starts)
+            {
+                session_->classify();
+            }
+        }
+    );
+}
+
+void interfaceStability::begin()
+{
+    const sigFpe::ignore untrapped;
+    const std::string failure = stability::failureOf(
+        [&]
+        {
+            session_ =
+                std::make_unique<stability::AnalysisSession>(mesh_, controls_, name());
+            session_->report(log);
+        }
+    );
+    if (!failure.empty())
+    {
+        report(failure);
+    }
 }
 
 bool interfaceStability::execute()

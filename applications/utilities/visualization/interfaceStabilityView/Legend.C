@@ -110,7 +110,7 @@ void Legend::addKeys(bool withWalls)
     const double text = left + keySide + 12;
     double y = firstKey;
     addSquare(left, y, keySide, colours::attached);
-    addText("attached: new interface", text, y + 3, fontSize);
+    addText("attached now or before", text, y + 3, fontSize);
     y -= keyStep;
     addDisk(left + 0.5 * keySide, y + 0.5 * keySide, 0.35 * keySide, colours::detached);
     addText("detached: particles", text, y + 3, fontSize);
@@ -166,6 +166,10 @@ void Legend::show(const Frame& frame, const FrameNumbers& numbers)
     if (numbers.stableFraction)
     {
         add("stable area", formatted("%.2f %%", 100 * *numbers.stableFraction));
+    }
+    if (numbers.coverage)
+    {
+        add("area with p", formatted("%.2f %%", 100 * *numbers.coverage));
     }
     if (numbers.epsilon)
     {

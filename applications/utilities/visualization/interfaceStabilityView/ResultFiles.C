@@ -192,7 +192,9 @@ FrameNumbers ResultFiles::numbers(const Frame& frame) const
         const auto found = row.find(name);
         return found == row.end() ? std::optional<double>() : found->second;
     };
-    return {value("epsilon"), value("stableFraction"), value("particles")};
+    return {
+        value("epsilon"), value("stableFraction"), value("coverage"),
+        value("particles")};
 }
 
 } // namespace Foam::stability

@@ -8,7 +8,6 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
-#include <random>
 
 using namespace Foam;
 using namespace Foam::stability;

@@ -45,6 +45,20 @@ TEST(EdgePaths, KnowDistancesOnAGrid)
     EXPECT_NEAR(farthest, n * std::sqrt(2.0), 1e-12);
 }
 
+// The nearer of two ways wins, though its first leg is the longer one.
+TEST(EdgePaths, LookFurtherThanTheNearestPoint)
+{
+    const pointField points(
+        {point(0, 0, 0), point(1, 0, 0), point(0.9, 1, 0), point(1, 4, 0)}
+    );
+    const List<triFace> triangles({triFace(0, 1, 2), triFace(1, 3, 2)});
+    const SurfaceTopology topology(points.size(), triangles);
+    const EdgePaths paths(points, topology, labelList(1, 0));
+    const scalar expected = mag(points[2]) + mag(points[3] - points[2]);
+    EXPECT_NEAR(paths.distances()[3], expected, 1e-12);
+    EXPECT_EQ(paths.farthest(), 3);
+}
+
 TEST(EdgePaths, DoNotLeadToOtherComponents)
 {
     const PlainSurface two =

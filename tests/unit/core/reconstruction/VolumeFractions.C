@@ -51,3 +51,42 @@ TEST(VolumeFractions, moreThanTwoMaterialsAreRefused)
         EXPECT_NE(text.find("supports two materials, found 3"), std::string::npos);
     }
 }
+
+// alpha linear in space, boundary values equal to those of the cells, as zeroGradient
+// writes them: the walls get the linear function back, also where cells are skewed.
+TEST(VolumeFractions, valuesOnWallsGoOnFromTheCells)
+{
+    shapes::BoxOptions options;
+    options.n = Vector<label>(5, 4, 6);
+    options.map = [](const point& x)
+    { return point(x.x() + 0.2 * x.y(), x.y(), x.z() * (1 + 0.3 * x.z())); };
+    const auto complex = shapes::box(options);
+    const auto exact = [](const point& x)
+    { return 0.2 + 0.21 * x.x() - 0.1 * x.y() + 0.13 * x.z(); };
+    scalarField alpha(complex->nCells());
+    forAll(alpha, celli)
+    {
+        alpha[celli] = exact(complex->cellCentres()[celli]);
+    }
+    const VolumeFractions fractions(shapes::snapshotOf(complex, alpha));
+    forAll(fractions.boundaryFaces, i)
+    {
+        const point& x = complex->faceCentres()[complex->nInternalFaces() + i];
+        EXPECT_NEAR(fractions.boundaryFaces[i], exact(x), 1e-5) << "face " << i;
+    }
+}
+
+TEST(VolumeFractions, valuesThatTheSolverSetOnTheBoundaryStay)
+{
+    const auto complex = shapes::unitCube(3);
+    scalarField alpha(27);
+    forAll(alpha, celli)
+    {
+        alpha[celli] = complex->cellCentres()[celli].z();
+    }
+    FlowSnapshot snapshot = shapes::snapshotOf(complex, alpha);
+    snapshot.boundaryAlphas[0] = 0.77;
+    const VolumeFractions fractions(snapshot);
+    EXPECT_EQ(min(fractions.boundaryFaces), 0.77);
+    EXPECT_EQ(max(fractions.boundaryFaces), 0.77);
+}
