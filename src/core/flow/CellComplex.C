@@ -291,20 +291,68 @@ void CellComplex::binCells()
 label CellComplex::findCell(const point& x) const
 {
     const Vector<label> bin = binOf(x, bounds_, nBins_);
-    const label index = bin.x() + nBins_.x() * (bin.y() + nBins_.y() * bin.z());
-    for (const label celli : bins_[index])
+    for (const label celli : bins_[binIndex(bin)])
     {
         if (holds(celli, x))
         {
             return celli;
         }
     }
-    label nearest = 0;
-    for (label celli = 1; celli < nCells(); ++celli)
+    // Ring by ring of bins; one more than the first that has cells.
+    label nearest = -1;
+    label last = nBins_.x() + nBins_.y() + nBins_.z();
+    for (label ring = 0; ring <= last; ++ring)
     {
-        if (magSqr(x - cellCentres_[celli]) < magSqr(x - cellCentres_[nearest]))
+        const label found = nearestInRing(x, bin, ring);
+        if (found >= 0)
         {
-            nearest = celli;
+            last = nearest < 0 ? ring + 1 : last;
+            const bool nearer =
+                nearest < 0
+                || magSqr(x - cellCentres_[found]) < magSqr(x - cellCentres_[nearest]);
+            nearest = nearer ? found : nearest;
+        }
+    }
+    return nearest;
+}
+
+label CellComplex::binIndex(const Vector<label>& bin) const
+{
+    return bin.x() + nBins_.x() * (bin.y() + nBins_.y() * bin.z());
+}
+
+// The cell with the nearest centre in the bins at this Chebyshev distance.
+label CellComplex::nearestInRing(const point& x, const Vector<label>& bin, label ring)
+    const
+{
+    Vector<label> low, high;
+    for (direction d = 0; d < 3; ++d)
+    {
+        low[d] = max(label(0), bin[d] - ring);
+        high[d] = min(nBins_[d] - 1, bin[d] + ring);
+    }
+    label nearest = -1;
+    Vector<label> b;
+    for (b.z() = low.z(); b.z() <= high.z(); ++b.z())
+    {
+        for (b.y() = low.y(); b.y() <= high.y(); ++b.y())
+        {
+            for (b.x() = low.x(); b.x() <= high.x(); ++b.x())
+            {
+                if (cmptMax(cmptMag(b - bin)) != ring)
+                {
+                    continue;
+                }
+                for (const label celli : bins_[binIndex(b)])
+                {
+                    if (nearest < 0
+                        || magSqr(x - cellCentres_[celli])
+                               < magSqr(x - cellCentres_[nearest]))
+                    {
+                        nearest = celli;
+                    }
+                }
+            }
         }
     }
     return nearest;
