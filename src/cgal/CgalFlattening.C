@@ -95,7 +95,7 @@ std::pair<label, label> farPair(const PlainSurface& surface, const labelList& lo
     return {from, to};
 }
 
-// `start` is a point of the boundary.
+// `start` is a point of the boundary. CGAL keeps the orientation of the triangles.
 template<class Parameterizer>
 List<vector2D>
 parameterized(Mesh& mesh, label start, const Parameterizer& parameterizer)
@@ -121,23 +121,6 @@ parameterized(Mesh& mesh, label start, const Parameterizer& parameterizer)
     return result;
 }
 
-// Positive area for triangles that are seen from where their normals point to.
-void orient(const PlainSurface& surface, List<vector2D>& chart)
-{
-    scalar area = 0;
-    for (const triFace& t : surface.triangles)
-    {
-        area += (chart[t[1]] - chart[t[0]]).perp(chart[t[2]] - chart[t[0]]);
-    }
-    if (area < 0)
-    {
-        for (vector2D& p : chart)
-        {
-            p.x() = -p.x();
-        }
-    }
-}
-
 } // namespace
 
 List<vector2D> LscmFlattening::flatten(const PlainSurface& surface) const
@@ -148,9 +131,7 @@ List<vector2D> LscmFlattening::flatten(const PlainSurface& surface) const
     Mesh mesh = unitMesh(surface);
     const auto [a, b] = farPair(surface, loop);
     const SMP::LSCM_parameterizer_3<Mesh, Pins> method{Pins(Vertex(a), Vertex(b))};
-    List<vector2D> chart = parameterized(mesh, a, method);
-    orient(surface, chart);
-    return chart;
+    return parameterized(mesh, a, method);
 }
 
 List<vector2D> TutteFlattening::flatten(const PlainSurface& surface) const
@@ -159,9 +140,7 @@ List<vector2D> TutteFlattening::flatten(const PlainSurface& surface) const
     const label start = boundaryOf(surface)[0];
     Mesh mesh = unitMesh(surface);
     const SMP::Barycentric_mapping_parameterizer_3<Mesh> method;
-    List<vector2D> chart = parameterized(mesh, start, method);
-    orient(surface, chart);
-    return chart;
+    return parameterized(mesh, start, method);
 }
 
 } // namespace Foam::stability

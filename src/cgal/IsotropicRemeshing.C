@@ -182,11 +182,10 @@ void compare(
 {
     const Tree onOriginal(faces(original).first, faces(original).second, original);
     const Tree onCopy(faces(copy).first, faces(copy).second, copy);
-    result.largestDistance = unit
-                             * std::sqrt(
-                                 max(largestSquaredDistance(copy, onOriginal),
-                                     largestSquaredDistance(original, onCopy))
-                             );
+    const scalar squared =
+        max(largestSquaredDistance(copy, onOriginal),
+            largestSquaredDistance(original, onCopy));
+    result.largestDistance = unit * std::sqrt(squared);
     result.nearest.setSize(copy.number_of_vertices());
     for (const Vertex v : copy.vertices())
     {

@@ -61,9 +61,9 @@ void AnalysisSession::expect(const instantList& times)
     if (times.size() < 2)
     {
         throw BadInput(
-            "The times selected are " + std::to_string(times.size())
-            + ", but the analysis compares consecutive times and needs at least two: "
-              "check the time options and the time folders of the case."
+            "Times selected: " + std::to_string(times.size())
+            + "; the analysis compares consecutive times and needs at least two: check "
+              "the time options and the time folders of the case."
         );
     }
     fields_.require(times);

@@ -75,23 +75,26 @@ const wordList functionObjectEntries{
 void checkKeys(const dictionary& dict, Shell shell)
 {
     wordList allowed(ownEntries);
-    wordHashSet known(ownEntries);
+    wordHashSet known;
     if (shell == Shell::functionObject)
     {
         allowed.append(word("onError"));
-        known.insert("onError");
         known.insert(functionObjectEntries);
+    }
+    known.insert(allowed);
+    std::string list;
+    for (const word& name : allowed)
+    {
+        list += (list.empty() ? "" : ", ") + name;
     }
     for (const entry& e : dict)
     {
-        if (e.keyword() == "FoamFile" || known.found(e.keyword()))
+        if (e.keyword() != "FoamFile" && !known.found(e.keyword()))
         {
-            continue;
+            FatalIOErrorInFunction(dict)
+                << "Unknown entry '" << e.keyword() << "'; allowed are " << list.c_str()
+                << '.' << exit(FatalIOError);
         }
-        FatalIOErrorInFunction(dict)
-            << "Unknown entry '" << e.keyword() << "'." << nl
-            << "Entries of interfaceStability: " << flatOutput(allowed)
-            << exit(FatalIOError);
     }
 }
 

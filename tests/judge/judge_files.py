@@ -122,6 +122,11 @@ def check_arrays(findings, family, surface):
     findings.require(
         "points are finite", np.all(np.isfinite(surface.points)), f"{name} has other points"
     )
+    p = surface["parameter"]
+    outside = np.sum(np.any((p < 0) | (p > 1), axis=1) & ~np.all(p == -1, axis=1))
+    findings.require(
+        "p lies in the unit square", outside == 0, f"{outside} points of {name} have other p"
+    )
     classes = CLASSES.get(family)
     if classes:
         found = set(np.unique(surface["stability"]))

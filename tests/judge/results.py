@@ -71,7 +71,7 @@ class Surface:
         return np.bincount(self.triangles.ravel(), thirds, minlength=self.n)
 
     def has_p(self):
-        return np.all(self["parameter"] >= 0, axis=1)
+        return ~np.all(self["parameter"] == -1, axis=1)
 
     def welded(self):
         """The triangles in the ids that join what is split along seams."""

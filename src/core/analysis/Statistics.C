@@ -96,7 +96,7 @@ void fillSurvival(
         for (size_t i = 0; i < fractions.size(); ++i)
         {
             // A distance that was cut off at so many cells counts, round-off or not.
-            const scalar limit = Statistics::survivalDistances[i]*(1 - 1e-12);
+            const scalar limit = Statistics::survivalDistances[i] * (1 - 1e-12);
             if (cells >= limit && total > 0)
             {
                 fractions[i] += areas[pointi] / total;

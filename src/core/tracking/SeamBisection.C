@@ -112,37 +112,54 @@ void SeamBisection::preferSide(SheetPoint& v, const Piece& piece) const
     }
 }
 
-// Algorithm 1 as the paper has it, for a piece so short that one cut is enough: a
-// sheet that begins and ends within it is not resolved. Without such a limit the
-// crumbs of p in a splash multiply from transfer to transfer.
+// The first seam of the piece from its start, or from its end.
+bool SeamBisection::firstCut(const Piece& piece, bool fromStart, SeamEvent& cut) const
+{
+    if (evidentlyJoined(piece))
+    {
+        return false;
+    }
+    const scalar at = 0.5 * (piece.at1 + piece.at2);
+    cut = {at, false, piece.w1, piece.w2};
+    const bool resolved = piece.at2 - piece.at1 <= options_.delta;
+    SheetPoint v = resolved ? piece.w1 : between(piece.a, piece.b, at);
+    if (resolved || !v.sheet.valid()) // or a hole in p narrower than the piece
+    {
+        return isCut(piece);
+    }
+    preferSide(v, piece);
+    const Piece first{piece.a, piece.b, piece.length, piece.at1, at, piece.w1, v};
+    const Piece second{piece.a, piece.b, piece.length, at, piece.at2, v, piece.w2};
+    return firstCut(fromStart ? first : second, fromStart, cut)
+           || firstCut(fromStart ? second : first, fromStart, cut);
+}
+
+// At the end of Algorithm 1: does p jump between w1 and w2?
+bool SeamBisection::isCut(const Piece& piece) const
+{
+    const vector2D jump = piece.w2.sheet.p - piece.w1.sheet.p;
+    const scalar distance =
+        mag(piece.w1.match.nearest.position - piece.w2.match.nearest.position);
+    return mag(jump) > smallestJump(piece.length)
+           && !joined(piece.w1, piece.w2, distance);
+}
+
+// A piece so short that one cut is enough: a sheet that begins and ends within it is
+// left out. Without such a limit the crumbs of p in a splash multiply from transfer
+// to transfer.
 void SeamBisection::bisectOnce(const Piece& piece, std::vector<SeamEvent>& events) const
 {
-    SheetPoint w1(piece.w1), w2(piece.w2);
-    scalar at1 = piece.at1, at2 = piece.at2;
-    while (at2 - at1 > options_.delta)
+    SeamEvent first, last;
+    if (!firstCut(piece, true, first) || !firstCut(piece, false, last))
     {
-        const scalar at = 0.5 * (at1 + at2);
-        SheetPoint v = between(piece.a, piece.b, at);
-        if (!v.sheet.valid())
-        {
-            break; // a hole in p narrower than the piece
-        }
-        const Piece rest{piece.a, piece.b, piece.length, at1, at2, w1, w2};
-        preferSide(v, rest);
-        const bool left =
-            evidentlyJoined({piece.a, piece.b, piece.length, at1, at, w1, v})
-            || joined(w1, v, mag(w1.match.nearest.position - v.match.nearest.position));
-        (left ? w1 : w2) = v;
-        (left ? at1 : at2) = at;
+        return;
     }
-    const scalar distance = mag(w1.match.nearest.position - w2.match.nearest.position);
-    if (mag(w2.sheet.p - w1.sheet.p) > smallestJump(piece.length)
-        && !joined(w1, w2, distance))
+    const scalar distance =
+        mag(first.before.match.nearest.position - last.after.match.nearest.position);
+    if (first.at == last.at || !joined(first.before, last.after, distance))
     {
-        // What lies between the cut and the end of the piece is its end's sheet.
-        const bool reached =
-            w2.sheet.anchor == piece.w2.sheet.anchor || joined(w2, piece.w2, distance);
-        events.push_back({0.5 * (at1 + at2), false, w1, reached ? w2 : piece.w2});
+        first.after = last.after;
+        events.push_back(first);
     }
 }
 

@@ -90,13 +90,18 @@ void SeamCuts::insertNode(const SurfacePoint& foot, bool isEnd, labelList& parts
     const triFace t = triangles_[trianglei];
     const label nearest =
         std::max_element(at.weights.begin(), at.weights.end()) - at.weights.begin();
+    // A turn is left out where a vertex of M, or a cut of its edge, does as well; an
+    // end only where a vertex is at the place, or where the triangle has had its share.
     const scalar least = *std::min_element(at.weights.begin(), at.weights.end());
     const SheetPoint& corner = vertices_[t[nearest]].seen;
-    constexpr scalar roomForTurn = 0.03;
+    constexpr scalar roomForTurn = 0.03, roomForEnd = 0.02;
+    constexpr label mostParts = 5;
+    const scalar room = isEnd ? roomForEnd : options_.narrowestSheet;
     if (at.weights[nearest] > 1 - options_.snap || (!isEnd && least < roomForTurn)
-        || mag(corner.x - at.position) < options_.narrowestSheet * corner.cellSize)
+        || mag(corner.x - at.position) < room * corner.cellSize
+        || parts.size() >= mostParts)
     {
-        return; // a vertex of M, or a cut of its edge, does as well
+        return;
     }
 
     // Off the edges by less than Algorithm 1 resolves.

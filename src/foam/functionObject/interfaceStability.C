@@ -65,8 +65,8 @@ bool interfaceStability::read(const dictionary& dict)
         const std::string failure = stability::failureOf(
             [&]
             {
-                fvMeshFunctionObject::read(dict);
                 parse();
+                fvMeshFunctionObject::read(dict);
             }
         );
         if (!failure.empty())

@@ -31,7 +31,8 @@ Usage
 
     The results are in postProcessing/interfaceStability/\<startTime\>: surfaces and
     particles as VTK files, each family with a .vtp.series for ParaView, and tables
-    stability.dat, survival.dat and timing.dat.
+    stability.dat, survival.dat and timing.dat. They replace those of an earlier run
+    from the same start time as soon as the first time is written.
 
     Serial, on static meshes without cyclic, empty or wedge patches.
 

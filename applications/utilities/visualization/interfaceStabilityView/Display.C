@@ -6,12 +6,17 @@
 #include <X11/Xlib.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
+#include <random>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace Foam::stability
@@ -20,8 +25,15 @@ namespace Foam::stability
 namespace
 {
 
-// Set for the second run, so that a broken xvfb-run cannot make an endless chain.
-constexpr const char* secondRun = "INTERFACE_STABILITY_VIEW_XVFB";
+constexpr int patience = 60; // [s] until Xvfb must have started
+constexpr int noProgram = 127;
+
+[[noreturn]] void fail(const std::string& why)
+{
+    throw std::runtime_error(
+        "There is no display, and Xvfb, which would make one, " + why
+    );
+}
 
 bool displayAnswers()
 {
@@ -38,44 +50,143 @@ bool displayAnswers()
     return display;
 }
 
+std::filesystem::path temporaryFolder()
+{
+    std::string name =
+        std::filesystem::temp_directory_path() / "interfaceStabilityView.XXXXXX";
+    if (!::mkdtemp(name.data()))
+    {
+        fail(std::string("has no folder for its key: ") + std::strerror(errno) + ".");
+    }
+    return name;
+}
+
+// An entry of an Xauthority file for whatever address: lengths are big-endian.
+void writeKey(const std::filesystem::path& path)
+{
+    const std::string name = "MIT-MAGIC-COOKIE-1";
+    std::string entry{'\xff', '\xff', 0, 0, 0, 0, 0, char(name.size())};
+    entry += name + '\0' + char(16);
+    std::random_device random;
+    for (int i = 0; i < 16; ++i)
+    {
+        entry += char(random() & 0xff);
+    }
+    std::ofstream file(path, std::ios::binary);
+    file.write(entry.data(), std::streamsize(entry.size()));
+    if (!file.flush())
+    {
+        fail("cannot have its key written to " + path.string() + ".");
+    }
+}
+
+// In the child: becomes Xvfb, which tells its number through the pipe and ends with us.
+[[noreturn]] void becomeServer(int pipe, const std::string& key)
+{
+    ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+    const int nowhere = ::open("/dev/null", O_RDWR);
+    ::dup2(nowhere, STDIN_FILENO);
+    ::dup2(nowhere, STDOUT_FILENO);
+    ::dup2(nowhere, STDERR_FILENO);
+    const std::string pipeText = std::to_string(pipe);
+    ::execlp(
+        "Xvfb", "Xvfb", "-displayfd", pipeText.c_str(), "-auth", key.c_str(), "-screen",
+        "0", "1280x1024x24", "-nolisten", "tcp", "-noreset", nullptr
+    );
+    ::_exit(noProgram);
+}
+
 } // namespace
 
-void ensureDisplay(int argc, char* argv[])
+Display::Display()
 {
     if (displayAnswers())
     {
         return;
     }
-    if (std::getenv(secondRun))
+    try
     {
-        throw std::runtime_error(
-            "The X server that xvfb-run started does not answer: run "
-            "'xvfb-run -a true' to see why."
-        );
+        start();
     }
-    ::setenv(secondRun, "1", 1);
-    ::unsetenv("DISPLAY");
+    catch (...)
+    {
+        stop();
+        throw;
+    }
+}
 
-    std::vector<char> self(4096, '\0');
-    if (::readlink("/proc/self/exe", self.data(), self.size() - 1) < 0)
+Display::~Display()
+{
+    stop();
+}
+
+void Display::start()
+{
+    folder_ = temporaryFolder();
+    const std::string key = folder_ / "Xauthority";
+    writeKey(key);
+
+    int pipe[2];
+    if (::pipe(pipe) != 0 || (server_ = ::fork()) < 0)
     {
-        throw std::runtime_error("Cannot find the own program under /proc/self/exe.");
+        fail(std::string("cannot be started: ") + std::strerror(errno) + ".");
     }
-    std::vector<std::string> words{
-        "xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -nolisten tcp", self.data()};
-    words.insert(words.end(), argv + 1, argv + argc);
-    std::vector<char*> pointers;
-    for (std::string& word : words)
+    if (server_ == 0)
     {
-        pointers.push_back(word.data());
+        ::close(pipe[0]);
+        becomeServer(pipe[1], key);
     }
-    pointers.push_back(nullptr);
-    ::execvp(pointers[0], pointers.data());
-    throw std::runtime_error(
-        std::string("There is no display, and xvfb-run, which would make one, cannot "
-                    "be run (")
-        + std::strerror(errno) + "): install the package xvfb."
-    );
+    ::close(pipe[1]);
+    const std::string number = waitForNumber(pipe[0]);
+    ::close(pipe[0]);
+    ::setenv("DISPLAY", (":" + number).c_str(), 1);
+    ::setenv("XAUTHORITY", key.c_str(), 1);
+    if (!displayAnswers())
+    {
+        fail("does not answer as display :" + number + ".");
+    }
+}
+
+std::string Display::waitForNumber(int pipe)
+{
+    std::string number;
+    pollfd ready{pipe, POLLIN, 0};
+    while (::poll(&ready, 1, 1000 * patience) > 0)
+    {
+        char c = 0;
+        if (::read(pipe, &c, 1) != 1) // it is ending
+        {
+            int status = 0;
+            ::waitpid(server_, &status, 0);
+            server_ = -1;
+            if (WIFEXITED(status) && WEXITSTATUS(status) == noProgram)
+            {
+                fail("is not there: install the package xvfb.");
+            }
+            break;
+        }
+        if (c == '\n')
+        {
+            return number;
+        }
+        number += c;
+    }
+    fail("does not start: run 'Xvfb :99' to see why.");
+}
+
+void Display::stop()
+{
+    if (server_ > 0)
+    {
+        ::kill(server_, SIGTERM);
+        ::waitpid(server_, nullptr, 0);
+        server_ = -1;
+    }
+    if (!folder_.empty())
+    {
+        std::error_code ignored;
+        std::filesystem::remove_all(folder_, ignored);
+    }
 }
 
 } // namespace Foam::stability

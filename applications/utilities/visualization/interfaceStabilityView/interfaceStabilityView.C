@@ -37,13 +37,13 @@ fs::path outputFolder(const Arguments& arguments, const ResultFiles& results)
     return folder;
 }
 
-void writePictures(const Arguments& arguments, int argc, char* argv[])
+void writePictures(const Arguments& arguments)
 {
     // Whatever can fail early fails before an X server is started.
     const ResultFiles results(arguments.folder);
     const auto frames = results.selected(arguments);
     const fs::path folder = outputFolder(arguments, results);
-    ensureDisplay(argc, argv);
+    const Display display;
 
     keepMessages();
     Scene scene(arguments, results);
@@ -74,7 +74,7 @@ int main(int argc, char* argv[])
         {
             throw std::runtime_error("Only -batch is supported for now; see -help.");
         }
-        writePictures(arguments, argc, argv);
+        writePictures(arguments);
         return 0;
     }
     catch (const std::exception& error)

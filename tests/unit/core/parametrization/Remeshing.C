@@ -93,6 +93,34 @@ TEST(Remeshing, KeepsTheBoundary)
     }
 }
 
+// Rows of long triangles, every other one shifted: the middle of an edge of the
+// boundary is nearer to a point inside than to its ends.
+TEST(Remeshing, TakesAfterTheBoundaryOnTheBoundary)
+{
+    const label nu = 8, nv = 40;
+    const PlainSurface rows = grid(
+        [&](scalar u, scalar v)
+        {
+            const bool odd = label(std::round(v * nv)) % 2 == 1;
+            return point(2 * u + (odd ? 1.0 / nu : 0), v, 0);
+        },
+        nu, nv
+    );
+    const RemeshingResult result = remesh(rows, 0.06);
+    ASSERT_FALSE(result.kept);
+    label nBetween = 0;
+    forAll(result.surface.points, i)
+    {
+        const point& p = result.surface.points[i];
+        if (p.y() < 1e-12)
+        {
+            EXPECT_LT(rows.points[result.nearest[i]].y(), 1e-12);
+            nBetween += mag(p.x() * nu / 2 - std::round(p.x() * nu / 2)) > 0.3;
+        }
+    }
+    EXPECT_GT(nBetween, 4);
+}
+
 // Each point of the copy is next to the one it is said to take after.
 TEST(Remeshing, KnowsTheNearestPoints)
 {

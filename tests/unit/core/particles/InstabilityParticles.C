@@ -12,7 +12,8 @@ using namespace Foam::stability;
 namespace
 {
 
-// A square sheet of n*n unevenly spaced points at z = 0.63 in the unit cube, p = (x, y).
+// A square sheet of n*n unevenly spaced points at z = 0.63 in the unit cube, p = (x,
+// y).
 InterfaceMesh sheet(const CellComplex& complex, label n)
 {
     InterfaceMesh mesh;

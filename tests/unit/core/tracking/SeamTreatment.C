@@ -162,6 +162,18 @@ std::vector<SurfaceEdge> seamsOf(const InterfaceMesh& mesh)
     return seams;
 }
 
+label thirds(const point& x)
+{
+    return x.x() < 0 ? 0 : x.y() > 0 ? 1 : 2;
+}
+
+InterfaceMesh aroundTheOrigin()
+{
+    return oneTriangle(
+        point(-0.41, 0.03, 0.02), point(0.37, -0.33, 0.02), point(0.36, 0.39, 0.02)
+    );
+}
+
 label halves(const point& x)
 {
     return x.x() < 0.25 ? 0 : 1;
@@ -263,24 +275,56 @@ TEST(SeamTreatment, manyCharts)
                 wrong += mag(t.mesh.areaVector(trianglei));
             }
         }
-        const scalar atJunctions = 4 * 0.25 * sqr(3.7 / n);
+        const scalar atJunctions = 4 * sqr(3.7 / n);
         EXPECT_LT(wrong, std::min(atJunctions, 0.05 * to.area())) << n;
     }
 }
 
+// Where three seams meet on T, M gets a vertex, and every part lies on one chart.
 TEST(SeamTreatment, threeChartsThatMeetInsideATriangle)
 {
-    const auto thirds = [](const point& x) {
-        return x.x() < 0 ? 0 : x.y() > 0 ? 1 : 2;
-    };
-    const InterfaceMesh to = oneTriangle(
-        point(-0.41, 0.03, 0.02), point(0.37, -0.33, 0.02), point(0.36, 0.39, 0.02)
-    );
+    const InterfaceMesh to = aroundTheOrigin();
     const Treated t = carry(chartedSquare(thirds), to);
     EXPECT_EQ(t.result.nCrossing, 1);
     EXPECT_EQ(t.result.nSplit, 1);
-    ASSERT_EQ(t.mesh.triangles.size(), 4);
-    ASSERT_EQ(t.mesh.points.size(), 6);
+    EXPECT_EQ(t.mesh.triangles.size(), 6);
+    ASSERT_EQ(t.mesh.points.size(), 7);
+    EXPECT_LT(mag(t.mesh.points[3] - point(0, 0, 0.02)), 1e-4);
+    expectSameSurface(t.mesh, to);
+    expectCharts(t.mesh, thirds, 1e-3 * chartScale);
+}
+
+// Three islands that touch have no such point: three cuts, and a triangle in the
+// middle whose third corner is extrapolated.
+TEST(SeamTreatment, threeIslandsThatMeetInsideATriangle)
+{
+    const InterfaceMesh charted = chartedSquare(thirds);
+    InterfaceMesh from;
+    std::map<std::pair<label, label>, label> points;
+    forAll(charted.triangles, trianglei)
+    {
+        const label region = thirds(charted.centre(trianglei));
+        triFace t;
+        for (label k = 0; k < 3; ++k)
+        {
+            const label pointi = charted.triangles[trianglei][k];
+            const auto known = points.insert({{region, pointi}, from.points.size()});
+            if (known.second)
+            {
+                from.points.append(charted.points[pointi]);
+            }
+            t[k] = known.first->second;
+        }
+        from.triangles.append(t);
+    }
+    complete(from, h);
+    from.parameters = charted.parameters;
+    from.corners = charted.corners;
+
+    const InterfaceMesh to = aroundTheOrigin();
+    const Treated t = carry(from, to);
+    EXPECT_EQ(t.mesh.triangles.size(), 4);
+    EXPECT_EQ(t.mesh.points.size(), 6);
     expectSameSurface(t.mesh, to);
     expectCharts(t.mesh, thirds, 1e-3 * chartScale);
 }
