@@ -149,12 +149,12 @@ List<SeamNode> ParameterSheets::findNodes() const
     constexpr scalar straight = 0.05; // of a cell
     const SeamCorners corners =
         seamCorners(mesh_.points, seams_, straight * mesh_.cellSizes);
-    List<bool> atBoundary(mesh_.points.size(), false);
+    std::vector<char> atBoundary(mesh_.points.size(), 0);
     for (const SurfaceEdge& edge : target_.topology().edges())
     {
         if (edge.nTriangles == 1)
         {
-            atBoundary[edge.a] = atBoundary[edge.b] = true;
+            atBoundary[edge.a] = atBoundary[edge.b] = 1;
         }
     }
 
@@ -195,6 +195,24 @@ scalar ParameterSheets::orientation(label trianglei) const
     const CornerIndices& c = mesh_.corners[trianglei];
     const List<vector2D>& p = mesh_.parameters;
     return mesh_.parametrized(trianglei) ? signedArea(p[c[0]], p[c[1]], p[c[2]]) : 0;
+}
+
+vector2D ParameterSheets::limited(
+    const vector2D& p, const vector2D& known, scalar distance
+) const
+{
+    constexpr scalar stretch = 4;
+    const scalar reach = stretch * scale_ * distance;
+    const scalar length = mag(p - known);
+    vector2D result = length > reach ? known + reach / length * (p - known) : p;
+    for (direction d = 0; d < 2; ++d)
+    {
+        if (known[d] >= 0 && known[d] <= 1)
+        {
+            result[d] = std::min(std::max(result[d], scalar(0)), scalar(1));
+        }
+    }
+    return result;
 }
 
 vector2D
@@ -245,15 +263,12 @@ SheetParameter ParameterSheets::extrapolate(const SurfacePoint& x, label corner)
         x.position, mesh_.points[t[0]], mesh_.points[t[1]], mesh_.points[t[2]]
     );
 
-    // Far outside a sliver the plane says little; its closest point says enough.
-    constexpr scalar farthest = 3;
-    const bool isNear =
-        *std::max_element(
-            weights.begin(), weights.end()
-        )<farthest&& * std::min_element(weights.begin(), weights.end())> - farthest;
     return {
         nearest.triangle,
-        interpolate(nearest.triangle, isNear ? weights : nearest.weights)};
+        limited(
+            interpolate(nearest.triangle, weights), mesh_.parameters[parameteri],
+            mag(x.position - mesh_.points[pointi])
+        )};
 }
 
 bool ParameterSheets::seamWithin(const point& x, scalar radius) const

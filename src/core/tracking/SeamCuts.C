@@ -18,7 +18,7 @@ SeamCuts::SeamCuts(
     : bisection_(bisection), options_(options), vertices_(mesh.points.size()),
       triangles_(mesh.triangles.begin(), mesh.triangles.end()),
       parents_(mesh.triangles.size()), touched_(mesh.points.size(), 0),
-      unresolved_(mesh.triangles.size(), 0)
+      atEnd_(mesh.points.size(), 0), unresolved_(mesh.triangles.size(), 0)
 {
     std::iota(parents_.begin(), parents_.end(), label(0));
     setVertices(mesh, matches);
@@ -97,28 +97,33 @@ void SeamCuts::insertNode(const SurfacePoint& foot, bool isEnd, labelList& parts
     constexpr scalar roomForTurn = 0.03, roomForEnd = 0.02;
     constexpr label mostParts = 5;
     const scalar room = isEnd ? roomForEnd : options_.narrowestSheet;
-    if (at.weights[nearest] > 1 - options_.snap || (!isEnd && least < roomForTurn)
-        || mag(corner.x - at.position) < room * corner.cellSize
-        || parts.size() >= mostParts)
+    const bool taken = at.weights[nearest] > 1 - options_.snap
+                       || mag(corner.x - at.position) < room * corner.cellSize;
+    if (taken || (!isEnd && least < roomForTurn) || parts.size() >= mostParts)
     {
+        atEnd_[t[nearest]] = atEnd_[t[nearest]] || (isEnd && taken);
         return;
     }
 
-    // Off the edges by less than Algorithm 1 resolves.
-    const scalar margin = 0.5 * options_.delta;
+    // Off the edges, but by less than Algorithm 1 resolves.
+    const scalar margin = 0.25 * options_.delta;
+    scalar sum = 0;
     point x(Zero);
     vector normal(Zero);
     for (label k = 0; k < 3; ++k)
     {
-        const SheetPoint& corner = vertices_[t[k]].seen;
-        const scalar weight = margin + (1 - 3 * margin) * at.weights[k];
-        x += weight * corner.x;
-        normal += weight * corner.normal;
+        const SheetPoint& end = vertices_[t[k]].seen;
+        const scalar weight = std::max(at.weights[k], margin);
+        sum += weight;
+        x += weight * end.x;
+        normal += weight * end.normal;
     }
+    x /= sum;
     normal /= mag(normal) + VSMALL;
     const label vertexi = addVertex(
         bisection_.locate(x, normal, vertices_[t[nearest]].seen.cellSize), t[nearest]
     );
+    atEnd_[vertexi] = isEnd;
     triangles_[trianglei] = triFace(t[0], t[1], vertexi);
     for (label k = 1; k < 3; ++k)
     {
@@ -380,6 +385,7 @@ label SeamCuts::addVertex(const SheetPoint& v, label nearVertex)
     vertex.seen.cellSize = vertices_[nearVertex].seen.cellSize;
     vertices_.push_back(vertex);
     touched_.push_back(0);
+    atEnd_.push_back(0);
     return vertices_.size() - 1;
 }
 

@@ -148,8 +148,29 @@ void SeamTreatment::splitTriangles()
         }
         if (isCut)
         {
+            endAtCorner(t, cuts);
             split(i, cuts);
         }
+    }
+}
+
+// The only cut of a triangle may lie on an edge to the very point where the seam ends:
+// it runs there along the edge, and the triangle is on one side.
+void SeamTreatment::endAtCorner(const triFace& t, FixedList<EdgeCut, 3>& cuts) const
+{
+    label nCuts = 0, k = 0;
+    for (label i = 0; i < 3; ++i)
+    {
+        nCuts += cuts[i].exists();
+        k = cuts[i].exists() ? i : k;
+    }
+    if (nCuts == 1 && cuts_.isAtEnd(t[(k + 1) % 3]))
+    {
+        cuts[k].after = cuts[k].before;
+    }
+    else if (nCuts == 1 && cuts_.isAtEnd(t[k]))
+    {
+        cuts[k].before = cuts[k].after;
     }
 }
 
@@ -185,12 +206,13 @@ void SeamTreatment::split(label trianglei, const FixedList<EdgeCut, 3>& cuts)
         const label c = part.extrapolated, a = (c + 1) % 3, b = (c + 2) % 3;
         if (c >= 0 && !extrapolated.count(part.points[c]))
         {
-            const vector2D p = similarCorner(
-                position(part.points[a]), position(part.points[b]),
-                position(part.points[c]), parameters_[part.corners[a]],
-                parameters_[part.corners[b]],
+            const point &xa = position(part.points[a]), &xc = position(part.points[c]);
+            const vector2D pa = parameters_[part.corners[a]];
+            const vector2D similar = similarCorner(
+                xa, position(part.points[b]), xc, pa, parameters_[part.corners[b]],
                 sheets_.orientation(seen(t[middle]).sheet.anchor)
             );
+            const vector2D p = sheets_.limited(similar, pa, mag(xc - xa));
             extrapolated[part.points[c]] = parameterIndex(part.points[c], p);
         }
         if (c >= 0)

@@ -18,7 +18,7 @@ namespace
 vector2D linearChart(label, const point& x)
 {
     return vector2D(
-        0.1 + 0.13 * x.x() + 0.02 * x.y(), 0.2 - 0.03 * x.x() + 0.11 * x.y()
+        0.35 + 0.13 * x.x() + 0.02 * x.y(), 0.35 - 0.03 * x.x() + 0.11 * x.y()
     );
 }
 
