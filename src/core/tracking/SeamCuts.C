@@ -181,7 +181,15 @@ void SeamCuts::mergeNear(std::vector<SeamEvent>& events, scalar narrowest) const
         if (!kept.empty() && !event.gap && !kept.back().gap
             && event.at - kept.back().at < narrowest)
         {
-            kept.back().after = event.after;
+            SeamEvent& merged = kept.back();
+            merged.after = event.after;
+            const scalar distance =
+                mag(merged.before.match.nearest.position
+                    - merged.after.match.nearest.position);
+            if (bisection_.joined(merged.before, merged.after, distance))
+            {
+                kept.pop_back(); // over to the narrow sheet and back
+            }
         }
         else
         {
