@@ -385,7 +385,7 @@ def check_series(findings, run):
         findings.require(
             "series' times rise", all(b > a for a, b in zip(times, times[1:])), family
         )
-    leftover = [p.name for p in run.folder.iterdir() if "tmp" in p.suffix or p.name.endswith("~")]
+    leftover = [p.name for p in run.folder.iterdir() if p.suffix in (".tmp", ".part", "~")]
     findings.require("no temporary file is left", not leftover, f"{leftover[:3]}")
 
 
