@@ -103,7 +103,12 @@ void DiskCut::addBranch()
         }
     }
     const EdgePaths paths(surface_.points, topology_, onCut);
-    for (const label edgei : paths.edgesTo(paths.farthest()))
+    const label farthest = paths.farthest();
+    if (farthest < 0)
+    {
+        return; // all points are on the cut, as on a tetrahedron
+    }
+    for (const label edgei : paths.edgesTo(farthest))
     {
         cut_[edgei] = true;
     }
