@@ -6,7 +6,6 @@
 #define CGAL_EIGEN3_ENABLED 1
 #endif
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/Barycentric_mapping_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Circular_border_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
@@ -15,6 +14,7 @@
 
 #include "cgal/CgalFlattening.H"
 #include "cgal/CgalScope.H"
+#include "cgal/SurfaceMesh.H"
 #include "core/Errors.H"
 #include "core/parametrization/EdgePaths.H"
 #include "core/parametrization/SurfaceShape.H"
@@ -48,19 +48,10 @@ Mesh unitMesh(const PlainSurface& surface)
     {
         throw NumericalFailure("A chart without area cannot be flattened.");
     }
-    Mesh mesh;
-    for (const point& p : surface.points)
+    Mesh mesh = surfaceMesh<Kernel::Point_3>(surface, centre, unit);
+    if (mesh.number_of_faces() == 0)
     {
-        const point x = (p - centre) / unit;
-        mesh.add_vertex(Kernel::Point_3(x.x(), x.y(), x.z()));
-    }
-    for (const triFace& t : surface.triangles)
-    {
-        if (mesh.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2]))
-            == Mesh::null_face())
-        {
-            throw NumericalFailure("A chart that is not manifold cannot be flattened.");
-        }
+        throw NumericalFailure("A chart that is not manifold cannot be flattened.");
     }
     return mesh;
 }

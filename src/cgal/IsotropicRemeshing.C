@@ -7,9 +7,9 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
-#include <CGAL/Surface_mesh.h>
 
 #include "cgal/CgalScope.H"
+#include "cgal/SurfaceMesh.H"
 #include "core/parametrization/Remeshing.H"
 #include "core/parametrization/SurfaceShape.H"
 
@@ -34,26 +34,6 @@ constexpr unsigned nIterations = 4;
 
 // A component that would keep fewer triangles than this is left as it is.
 constexpr label fewestTriangles = 20;
-
-// In units of edgeLength, around `centre`. Empty where not manifold.
-Mesh toCgal(const PlainSurface& surface, const point& centre, scalar unit)
-{
-    Mesh mesh;
-    for (const point& p : surface.points)
-    {
-        const point x = (p - centre) / unit;
-        mesh.add_vertex(Kernel::Point_3(x.x(), x.y(), x.z()));
-    }
-    for (const triFace& t : surface.triangles)
-    {
-        if (mesh.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2]))
-            == Mesh::null_face())
-        {
-            return Mesh();
-        }
-    }
-    return mesh;
-}
 
 PlainSurface fromCgal(Mesh& mesh, const point& centre, scalar unit)
 {
@@ -224,7 +204,7 @@ RemeshingResult remesh(const PlainSurface& surface, scalar edgeLength)
     try
     {
         const point centre = average(surface.points);
-        const Mesh original = toCgal(surface, centre, edgeLength);
+        const Mesh original = surfaceMesh<Kernel::Point_3>(surface, centre, edgeLength);
         if (original.number_of_faces() == 0)
         {
             return keep(surface);

@@ -29,8 +29,9 @@ void ProgressReport::classified(
     if (shown_)
     {
         showProgress(c, timeName, seconds);
-        showTroubles(c);
+        showDetails(c);
     }
+    showTroubles(c, timeName);
     warn(c, timeName, options);
 }
 
@@ -48,8 +49,9 @@ void ProgressReport::showProgress(
     line << ", time " << timeName << " s: " << s.nVertices << " vertices, "
          << 100 * s.stableFraction() << " % stable, "
          << s.detachedNearWall + s.detachedElsewhere << " m2 detached, " << s.nParticles
-         << " particles; moved " << s.displacement << " cells, epsilon/interval "
-         << s.drift() << " m/s; " << seconds << " s";
+         << " particles; moved " << s.displacement << " cells (largest "
+         << s.largestDisplacement << "), epsilon/interval " << s.drift() << " m/s; "
+         << seconds << " s";
     if (nExpected_ > nClassified_)
     {
         const scalar left = seconds / nClassified_ * (nExpected_ - nClassified_);
@@ -58,7 +60,7 @@ void ProgressReport::showProgress(
     Info << line.str().c_str() << endl;
 }
 
-void ProgressReport::showTroubles(const Classification& c) const
+void ProgressReport::showDetails(const Classification& c) const
 {
     if (c.statistics.nTriangles == 0)
     {
@@ -67,22 +69,33 @@ void ProgressReport::showTroubles(const Classification& c) const
     if (c.parametrization)
     {
         const ParametrizationResult& p = *c.parametrization;
-        Info << "    parametrized: " << p.nCharts << " charts; " << p.nFallbacks
-             << " by the fallback of the flattening, " << p.nKept
+        Info << "    parametrized: " << p.nCharts << " charts, remeshed within "
+             << p.remeshingDistance << " m; " << p.nKept
              << " too small or not fit to be remeshed" << endl;
-    }
-    const IntegrationCounts& surface = c.timeSurfaceCounts;
-    const IntegrationCounts& particles = c.particleCounts;
-    if (surface.nStuck + surface.nLost + particles.nStuck + particles.nLost > 0)
-    {
-        Info << "    of the interface " << surface.nStuck << " points are stuck, "
-             << surface.nLost << " lost; of the particles " << particles.nStuck
-             << " stuck, " << particles.nLost << " lost" << endl;
     }
     if (c.transfer.nUnresolved > 0)
     {
         Info << "    " << c.transfer.nUnresolved << " of " << c.transfer.nCrossing
              << " triangles on seams could not be split" << endl;
+    }
+}
+
+void ProgressReport::showTroubles(const Classification& c, const word& timeName) const
+{
+    if (c.parametrization && c.parametrization->nFallbacks > 0)
+    {
+        Info << "interfaceStability: at time " << timeName << " s "
+             << c.parametrization->nFallbacks << " of " << c.parametrization->nCharts
+             << " charts were flattened by the fallback tutte" << endl;
+    }
+    const IntegrationCounts& surface = c.timeSurfaceCounts;
+    const IntegrationCounts& particles = c.particleCounts;
+    if (surface.nStuck + surface.nLost + particles.nStuck + particles.nLost > 0)
+    {
+        Info << "interfaceStability: at time " << timeName << " s of the interface "
+             << surface.nStuck << " points are stuck, " << surface.nLost
+             << " lost; of the particles " << particles.nStuck << " stuck, "
+             << particles.nLost << " lost" << endl;
     }
 }
 

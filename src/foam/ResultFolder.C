@@ -4,6 +4,7 @@
 #include "foam/ResultFolder.H"
 
 #include "core/Errors.H"
+#include "core/FileReplacement.H"
 #include "OSspecific.H"
 #include "fileNameList.H"
 #include "sigFpe.H"
@@ -132,7 +133,7 @@ void ResultFolder::writeFamily(
         const bool last = i + 1 == family.entries.size();
         text += "    " + family.entries[i] + (last ? "\n" : ",\n");
     }
-    writeWholeFile(path_ / (family.name + ".vtp.series"), text + "  ]\n}\n");
+    replaceFile(path_ / (family.name + ".vtp.series"), text + "  ]\n}\n");
 }
 
 void ResultFolder::write(const Classification& c, const InstabilityParticles& particles)

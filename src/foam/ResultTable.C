@@ -3,13 +3,10 @@
 
 #include "foam/ResultTable.H"
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <fstream>
+#include "core/FileReplacement.H"
+
 #include <iomanip>
 #include <sstream>
-#include <stdexcept>
 
 namespace Foam::stability
 {
@@ -21,21 +18,6 @@ constexpr int precision = 15; // digits: what a table must keep to be compared
 constexpr int width = precision + 8;
 
 } // namespace
-
-void writeWholeFile(const fileName& path, const std::string& text)
-{
-    const std::string temporary = path + ".part";
-    errno = 0;
-    std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
-    file << text;
-    file.close();
-    if (!file || std::rename(temporary.c_str(), path.c_str()) != 0)
-    {
-        const std::string cause = errno ? std::strerror(errno) : "unknown cause";
-        std::remove(temporary.c_str());
-        throw std::runtime_error("Cannot write " + path + ": " + cause + ".");
-    }
-}
 
 void ResultTable::setColumns(const std::vector<std::string>& names)
 {
@@ -63,7 +45,7 @@ void ResultTable::addRow(const std::vector<scalar>& values)
 
 void ResultTable::write(const fileName& path) const
 {
-    writeWholeFile(path, header_ + rows_);
+    replaceFile(path, header_ + rows_);
 }
 
 } // namespace Foam::stability

@@ -18,7 +18,7 @@
 #include "vtk/VtpWriter.H"
 
 #include "core/painting/ParameterTexture.H"
-#include "vtk/FileReplacement.H"
+#include "core/FileReplacement.H"
 
 #include <algorithm>
 #include <cfenv>

@@ -48,6 +48,16 @@ scalar InterfaceMesh::area() const
     return sum;
 }
 
+scalar InterfaceMesh::meanCellSize() const
+{
+    scalar mean = 0;
+    for (const scalar h : cellSizes)
+    {
+        mean += h / cellSizes.size();
+    }
+    return mean;
+}
+
 void InterfaceMesh::clearParametrization()
 {
     parameters.clear();

@@ -103,12 +103,8 @@ void DiskCut::addBranch()
         }
     }
     const EdgePaths paths(surface_.points, topology_, onCut);
-    const label farthest = paths.farthest();
-    if (farthest < 0)
-    {
-        return; // all points are on the cut, as on a tetrahedron
-    }
-    for (const label edgei : paths.edgesTo(farthest))
+    // No branch where all points are on the cut, as on a tetrahedron.
+    for (const label edgei : paths.edgesTo(paths.farthest()))
     {
         cut_[edgei] = true;
     }

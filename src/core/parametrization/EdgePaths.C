@@ -73,7 +73,7 @@ EdgePaths::EdgePaths(
 labelList EdgePaths::edgesTo(label pointi) const
 {
     DynamicList<label> path;
-    while (arrivals_[pointi] >= 0)
+    while (pointi >= 0 && arrivals_[pointi] >= 0)
     {
         const SurfaceEdge& e = topology_.edges()[arrivals_[pointi]];
         path.append(arrivals_[pointi]);

@@ -12,18 +12,6 @@ namespace Foam::stability
 namespace
 {
 
-// Boxes of about epsilon (paper 4.5); the locator sees to it that they are not
-// smaller than the triangles.
-scalar boxSize(const InterfaceMesh& mesh, const Epsilon& epsilon)
-{
-    scalar mean = 0;
-    for (const scalar h : mesh.cellSizes)
-    {
-        mean += h / mesh.cellSizes.size();
-    }
-    return epsilon.at(mean);
-}
-
 vectorField directions(const InterfaceMesh& mesh)
 {
     vectorField result(mesh.triangles.size());
@@ -36,14 +24,16 @@ vectorField directions(const InterfaceMesh& mesh)
 
 } // namespace
 
+// Boxes of about epsilon (paper 4.5); the locator sees to it that they are not
+// smaller than the triangles.
 MatchTarget::MatchTarget(const InterfaceMesh& mesh, const MatchingOptions& options)
     : mesh_(mesh), options_(options), topology_(mesh.points.size(), mesh.triangles),
-      locator_(mesh.points, mesh.triangles, boxSize(mesh, options.epsilon)),
+      locator_(mesh.points, mesh.triangles, options.epsilon.at(mesh.meanCellSize())),
       triangleNormals_(directions(mesh))
 {
 }
 
-Match MatchTarget::match(const point& x, const vector& normal, scalar cellSize) const
+Match MatchTarget::nearest(const point& x, const vector& normal, scalar cellSize) const
 {
     const scalar epsilon = options_.epsilon.at(cellSize);
     const scalar radius = std::max(epsilon, options_.searchRadius * cellSize);
@@ -55,14 +45,27 @@ Match MatchTarget::match(const point& x, const vector& normal, scalar cellSize) 
     if (result.nearest.triangle < 0)
     {
         result.nearest.distance = radius;
-        return result;
     }
-    result.stable = result.nearest.distance < epsilon; // paper 4.1
-    if (result.stable)
+    else
     {
-        result.nPreimages = countPatches(x, normal, epsilon);
+        result.stable = result.nearest.distance < epsilon; // paper 4.1
     }
     return result;
+}
+
+Match MatchTarget::match(const point& x, const vector& normal, scalar cellSize) const
+{
+    Match result = nearest(x, normal, cellSize);
+    countPreimages(result, x, normal, cellSize);
+    return result;
+}
+
+void MatchTarget::countPreimages(
+    Match& match, const point& x, const vector& normal, scalar cellSize
+) const
+{
+    match.nPreimages =
+        match.stable ? countPatches(x, normal, options_.epsilon.at(cellSize)) : 0;
 }
 
 void MatchTarget::admittedWithin(

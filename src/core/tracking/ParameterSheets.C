@@ -85,8 +85,8 @@ ParameterSheets::ParameterSheets(const MatchTarget& target)
           }
       ),
       passages_(findPassages()), seams_(findSeams()),
-      seamLocator_(mesh_.points, seams_, VSMALL), nodes_(findNodes()),
-      scale_(meanScale())
+      seamLocator_(mesh_.points, seams_, 0.5 * mesh_.meanCellSize()),
+      nodes_(findNodes()), scale_(meanScale())
 {
 }
 

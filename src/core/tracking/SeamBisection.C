@@ -33,9 +33,18 @@ SheetParameter SeamBisection::parameter(const Match& match) const
 SheetPoint
 SeamBisection::locate(const point& x, const vector& normal, scalar cellSize) const
 {
-    SheetPoint v{x, normal, cellSize, target_.match(x, normal, cellSize), {}};
+    SheetPoint v{x, normal, cellSize, target_.nearest(x, normal, cellSize), {}};
+    if (options_.merge == Merge::untracked)
+    {
+        countPreimages(v);
+    }
     v.sheet = parameter(v.match);
     return v;
+}
+
+void SeamBisection::countPreimages(SheetPoint& v) const
+{
+    target_.countPreimages(v.match, v.x, v.normal, v.cellSize);
 }
 
 SheetPoint

@@ -390,6 +390,7 @@ label SeamCuts::addVertex(
 label SeamCuts::addVertex(const SheetPoint& v, label nearVertex)
 {
     SeamVertex vertex{v, vertices_[nearVertex].cell, -1};
+    bisection_.countPreimages(vertex.seen);
     vertex.seen.cellSize = vertices_[nearVertex].seen.cellSize;
     vertices_.push_back(vertex);
     touched_.push_back(0);

@@ -9,7 +9,7 @@
 #include "Surface.H"
 #include "Surroundings.H"
 
-#include "vtk/FileReplacement.H"
+#include "core/FileReplacement.H"
 
 #include <vtkImageData.h>
 #include <vtkImageShrink3D.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of interfaceStability, an extension of OpenFOAM.
 
-#include "vtk/FileReplacement.H"
+#include "core/FileReplacement.H"
 
 #include <cerrno>
 #include <cstdio>
@@ -61,6 +61,11 @@ void replaceFile(const std::string& path, const void* bytes, std::size_t size)
         std::remove(temporary.c_str());
         fail(path, reason);
     }
+}
+
+void replaceFile(const std::string& path, const std::string& text)
+{
+    replaceFile(path, text.data(), text.size());
 }
 
 } // namespace Foam::stability
