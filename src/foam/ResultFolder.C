@@ -63,7 +63,7 @@ std::string timeText(scalar time)
 } // namespace
 
 ResultFolder::ResultFolder(const fileName& path)
-    : path_(path), stability_("Areas in m2, displacement in cells"),
+    : path_(path), stability_("Areas in m2, displacement in cells, speeds in m/s"),
       survival_("Fractions of T (detached) and M (attached) farther away than so many "
                 "cells"),
       timing_("Seconds of wall-clock time, by phase, since the last classified time")

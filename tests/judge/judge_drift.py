@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Part of interfaceStability, an extension of OpenFOAM.
-"""Judges how much of the time surface is called stable, at every step of a run."""
+"""Judges how much of the time surface is called stable, and its drift speed, at every
+step of a run."""
 
 import argparse
+
+import numpy as np
 
 from results import Run, Verdict
 
@@ -18,6 +21,8 @@ def main():
     parser.add_argument("case")
     parser.add_argument("--stable-at-least", type=float, default=0)
     parser.add_argument("--stable-at-most", type=float, default=1)
+    parser.add_argument("--drift", type=float, help="median of driftSpeed on M and T [m/s]")
+    parser.add_argument("--within", type=float, default=0.01, help="of the drift, relative")
     options = parser.parse_args()
 
     run, verdict = Run(options.case), Verdict()
@@ -32,6 +37,15 @@ def main():
         )
     verdict.at_least("stable share of T, lowest", min(shares), options.stable_at_least)
     verdict.at_most("stable share of T, highest", max(shares), options.stable_at_most)
+    if options.drift is not None:
+        for family in ("interface", "timeSurface"):
+            medians = [np.median(run.surface(family, i)["driftSpeed"]) for i in range(1, len(run))]
+            wrong = max(medians, key=lambda median: abs(median - options.drift))
+            verdict.check(
+                f"driftSpeed of {family}",
+                abs(wrong - options.drift) <= options.within * abs(options.drift),
+                f"median {wrong:.6g} m/s, wanted {options.drift:g} m/s",
+            )
     verdict.leave()
 
 

@@ -25,6 +25,7 @@ ARRAYS = {
         "vertex": (1, True),
         "stability": (1, True),
         "distance": (1, False),
+        "driftSpeed": (1, False),
         "preimageCount": (1, True),
         "component": (1, True),
     },
@@ -33,6 +34,7 @@ ARRAYS = {
         "vertex": (1, True),
         "stability": (1, True),
         "distance": (1, False),
+        "driftSpeed": (1, False),
         "nearWall": (1, True),
     },
     "particles": {
@@ -140,7 +142,7 @@ def check_weld(findings, surface):
     first[ids[::-1]] = np.arange(surface.n)[::-1]
     twins = first[ids]
     same = np.array_equal(surface.points, surface.points[twins])
-    for array in ("stability", "distance", "origin"):
+    for array in ("stability", "distance", "driftSpeed", "origin"):
         if array in surface.arrays:
             same = same and np.array_equal(surface[array], surface[array][twins])
     findings.require("vertex welds equal points", same, surface.path.name)
@@ -274,6 +276,33 @@ def check_row(findings, row, m, t, cloud):
         agrees("stableFraction", of_m[m["stability"] == 0].sum() / area, 1)
         agrees("coverage", m.triangle_areas()[with_p].sum() / area, 1)
     agrees("particles", cloud.n, 1)
+
+
+def check_drift(findings, m, t, row, interval):
+    """Drift speeds are distances over the interval, and the table has their quantiles."""
+    for surface in (m, t):
+        if surface.n:
+            told = np.abs(surface["driftSpeed"]) * interval
+            wanted = surface["distance"] if interval else 0 * surface["distance"]
+            wrong = np.sum(np.abs(told - wanted) > 1e-9 * np.max(surface["distance"]))
+            still = not interval and np.any(surface["driftSpeed"])
+            findings.require(
+                "driftSpeed is distance over interval",
+                not wrong and not still,
+                f"{wrong} in {surface.path.name}",
+            )
+    areas = np.where(t["stability"] == 3, 0, t.point_areas()) if t.n else np.zeros(0)
+    sizes = np.abs(t["driftSpeed"]) if t.n else np.zeros(0)
+    for percent in (50, 90, 99):
+        value = row[f"driftSpeed{percent}"]
+        below = areas[sizes < value * (1 - 1e-9)].sum()
+        up_to = areas[sizes <= value * (1 + 1e-9)].sum()
+        wanted = percent / 100 * areas.sum()
+        findings.require(
+            "quantiles of driftSpeed agree with the files",
+            below <= wanted * (1 + 1e-9) and up_to >= wanted * (1 - 1e-9),
+            f"{percent} % at {row['Time']:g} s: {value:g} m/s",
+        )
 
 
 class Particles:
@@ -418,8 +447,10 @@ def judge(run, options, verdict):
                 check_edges(findings, surface, boxes)
         if m.n:
             check_texture_coordinates(findings, m, texture)
+        row = {k: v[index] for k, v in rows.items()}
         if m.n and t.n:
-            check_row(findings, {k: v[index] for k, v in rows.items()}, m, t, cloud)
+            check_row(findings, row, m, t, cloud)
+        check_drift(findings, m, t, row, row["Time"] - rows["Time"][index - 1] if index else 0)
         if t.n:
             particles.check(findings, cloud, t)
         if options.band and index:

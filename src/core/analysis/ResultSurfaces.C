@@ -146,6 +146,9 @@ surface(const ClassifiedSurface& from, const SplitPoints& split, scalar time)
             "stability", true, vertex, [&](label i) { return label(from.stability[i]); }
         ),
         scalars("distance", false, vertex, [&](label i) { return from.distance[i]; }),
+        scalars(
+            "driftSpeed", false, vertex, [&](label i) { return from.driftSpeed[i]; }
+        ),
     };
     return result;
 }

@@ -3,6 +3,7 @@
 
 #include "core/analysis/Statistics.H"
 
+#include <algorithm>
 #include <sstream>
 
 namespace Foam::stability
@@ -29,6 +30,9 @@ std::vector<std::string> Statistics::columns()
         "epsilon",
         "displacement",
         "epsilonPerInterval",
+        "driftSpeed50",
+        "driftSpeed90",
+        "driftSpeed99",
     };
 }
 
@@ -53,6 +57,9 @@ std::vector<scalar> Statistics::values() const
         epsilon,
         displacement,
         drift(),
+        driftSpeeds[0],
+        driftSpeeds[1],
+        driftSpeeds[2],
     };
 }
 
@@ -105,6 +112,32 @@ void fillSurvival(
     }
 }
 
+// For each fraction (rising) of the area the least speed that it does not exceed.
+void fillDriftSpeeds(
+    std::array<scalar, 3>& speeds, const scalarField& driftSpeed,
+    const scalarField& areas
+)
+{
+    labelList order(identity(areas.size()));
+    std::stable_sort(
+        order.begin(), order.end(),
+        [&](label a, label b) { return mag(driftSpeed[a]) < mag(driftSpeed[b]); }
+    );
+    speeds.fill(0);
+    const scalar total = sum(areas);
+    scalar reached = 0;
+    size_t next = 0;
+    for (const label pointi : order)
+    {
+        reached += areas[pointi];
+        while (next < speeds.size() && areas[pointi] > 0
+               && reached >= Statistics::driftFractions[next] * total)
+        {
+            speeds[next++] = mag(driftSpeed[pointi]);
+        }
+    }
+}
+
 } // namespace
 
 void survey(
@@ -153,6 +186,7 @@ void survey(
     fillSurvival(
         statistics.detachedFraction, timeSurface, timeAreas, statistics.timeSurfaceArea
     );
+    fillDriftSpeeds(statistics.driftSpeeds, timeSurface.driftSpeed, timeAreas);
 }
 
 void surveyDisplacement(

@@ -23,11 +23,40 @@ labelList pointComponents(const InterfaceMesh& mesh)
     return result;
 }
 
+// [m/s], as the header defines it. Normals point from the first fluid to the second.
+scalarField driftSpeeds(
+    const InterfaceMesh& mesh, const UList<Match>& matches, bool onInterface,
+    scalar interval
+)
+{
+    scalarField speeds(mesh.points.size(), 0);
+    if (interval <= 0)
+    {
+        return speeds;
+    }
+    const vectorField normals = mesh.pointNormals();
+    forAll(speeds, i)
+    {
+        const SurfacePoint& nearest = matches[i].nearest;
+        speeds[i] = nearest.distance / interval;
+        if (nearest.triangle >= 0)
+        {
+            const vector toOther = nearest.position - mesh.points[i];
+            const vector fromTtoM = onInterface ? -toOther : toOther;
+            if ((fromTtoM & normals[i]) > 0)
+            {
+                speeds[i] = -speeds[i];
+            }
+        }
+    }
+    return speeds;
+}
+
 } // namespace
 
 ClassifiedSurface describe(
     const InterfaceMesh& mesh, const UList<Match>& matches, Stability unmatched,
-    const CellComplex& complex
+    const CellComplex& complex, scalar interval
 )
 {
     const label n = mesh.points.size();
@@ -38,6 +67,8 @@ ClassifiedSurface describe(
     surface.preimages.setSize(n);
     surface.nearWall.setSize(n);
     surface.components = pointComponents(mesh);
+    surface.driftSpeed =
+        driftSpeeds(mesh, matches, unmatched == Stability::attached, interval);
     for (label i = 0; i < n; ++i)
     {
         surface.stability[i] = matches[i].stable ? Stability::stable : unmatched;

@@ -187,9 +187,11 @@ void StabilityTracker::compare(const InterfaceMesh& extracted)
         result_.transfer = transfer(mesh, onInterface, target, options_.transfer);
     }
     const CellComplex& complex = *latest_->complex;
-    result_.interface = describe(mesh, onInterface, Stability::attached, complex);
+    const scalar interval = latest_->time - lastClassified_;
+    result_.interface =
+        describe(mesh, onInterface, Stability::attached, complex, interval);
     result_.timeSurface =
-        describe(timeSurface_, onTimeSurface, Stability::detached, complex);
+        describe(timeSurface_, onTimeSurface, Stability::detached, complex, interval);
     forAll(pathlines_, pointi)
     {
         if (pathlines_[pointi].state == PathlineState::left)
@@ -249,7 +251,7 @@ void StabilityTracker::handOn(bool begins)
             match.nearest.distance = 0;
         }
         result_.timeSurface =
-            describe(timeSurface_, atHome, Stability::stable, *latest_->complex);
+            describe(timeSurface_, atHome, Stability::stable, *latest_->complex, 0);
     }
 }
 

@@ -60,6 +60,8 @@ Classification seamed()
     surface.stability[5] = Stability::attached;
     surface.distance = scalarField(6, 0.01);
     surface.distance[4] = 0.02;
+    surface.driftSpeed = scalarField(6, -0.5);
+    surface.driftSpeed[2] = 0.25;
     surface.preimages = labelList(6, 1);
     surface.nearWall = List<bool>(6, false);
     surface.components = labelList(6, 0);
@@ -134,6 +136,7 @@ TEST(ResultSurfaces, arraysHaveTheirClassesAndSizes)
         const label v = label(vertex[i]);
         EXPECT_EQ(arrayOf(surface, "stability").values[i], v == 5 ? 1 : 0);
         EXPECT_EQ(arrayOf(surface, "distance").values[i], v == 4 ? 0.02 : 0.01);
+        EXPECT_EQ(arrayOf(surface, "driftSpeed").values[i], v == 2 ? 0.25 : -0.5);
         EXPECT_EQ(arrayOf(surface, "origin").values[3 * i + 2], 0.2 * v);
     }
     EXPECT_EQ(arrayOf(surface, "preimageCount").nComponents, 1);
@@ -149,6 +152,9 @@ TEST(ResultSurfaces, theTimeSurfaceKnowsWallsAndKeepsItsSeams)
     forAll(surface.points, i)
     {
         EXPECT_EQ(arrayOf(surface, "nearWall").values[i], vertex[i] == 1 ? 1 : 0);
+        EXPECT_EQ(
+            arrayOf(surface, "driftSpeed").values[i], vertex[i] == 2 ? 0.25 : -0.5
+        );
         EXPECT_EQ(arrayOf(surface, "stability").values[i], vertex[i] == 5 ? 2 : 0);
     }
 }
@@ -157,7 +163,7 @@ TEST(ResultSurfaces, emptySurfacesHaveAllArrays)
 {
     const ResultSurface surface(interfaceSurface(Classification()));
     EXPECT_EQ(surface.points.size(), 0);
-    EXPECT_EQ(surface.arrays.size(), 8u);
+    EXPECT_EQ(surface.arrays.size(), 9u);
     const ResultSurface cloud(particleCloud(InstabilityParticles(5), 0.3));
     EXPECT_EQ(cloud.arrays.size(), 10u);
 }

@@ -25,6 +25,7 @@ ClassifiedSurface strip()
     mesh.cells = labelList(4, 0);
     surface.stability = List<Stability>(4, Stability::stable);
     surface.distance = scalarField(List<scalar>{0.003, 0.03, 0.39, 2.4});
+    surface.driftSpeed = scalarField(List<scalar>{-5, 2, -3, 7});
     surface.preimages = labelList(4, 1);
     surface.nearWall = List<bool>(4, false);
     surface.components = labelList(4, 0);
@@ -110,6 +111,29 @@ TEST(Statistics, survivalCountsInCells)
     }
 }
 
+// Sizes 2, 3, 5, 7 up to 1/3, 2/3, 3/4 and all of the area.
+TEST(Statistics, driftSpeedsAreSizesByArea)
+{
+    ClassifiedSurface interface(strip());
+    interface.driftSpeed *= 10; // T tells, not M
+    ClassifiedSurface timeSurface(strip());
+    Statistics statistics;
+    survey(statistics, interface, timeSurface, Epsilon());
+    EXPECT_EQ(statistics.driftSpeeds, (std::array<scalar, 3>{3, 7, 7}));
+
+    // Up to 4/9, 8/9 and all of the rest.
+    timeSurface.stability[3] = Stability::left;
+    survey(statistics = Statistics(), interface, timeSurface, Epsilon());
+    EXPECT_EQ(statistics.driftSpeeds, (std::array<scalar, 3>{3, 5, 5}));
+
+    timeSurface.mesh.points[0] = timeSurface.mesh.points[1]; // no area
+    survey(statistics = Statistics(), interface, timeSurface, Epsilon());
+    EXPECT_EQ(statistics.driftSpeeds, (std::array<scalar, 3>{2, 3, 3}));
+    const std::vector<scalar> values(statistics.values());
+    EXPECT_EQ(values.back(), 3);
+    EXPECT_EQ(Statistics::columns().back(), "driftSpeed99");
+}
+
 TEST(Statistics, coverageCountsTrianglesWithParameters)
 {
     ClassifiedSurface interface(strip());
@@ -128,6 +152,7 @@ TEST(Statistics, withoutAnInterfaceNothingIsUnstable)
     EXPECT_EQ(statistics.coverage(), 1);
     EXPECT_EQ(statistics.epsilon, 0);
     EXPECT_EQ(statistics.detachedFraction[0], 0);
+    EXPECT_EQ(statistics.driftSpeeds[2], 0);
     EXPECT_EQ(statistics.drift(), 0);
 }
 

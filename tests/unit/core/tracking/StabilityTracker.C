@@ -111,6 +111,39 @@ TEST(StabilityTracker, aSphereThatMovesWithTheFlowIsStable)
     }
 }
 
+// The interface of a fluid at rest grows by 0.6 cells in 0.5 s and shrinks again: on
+// both surfaces it leaves the first fluid, inside, and comes back.
+TEST(StabilityTracker, theDriftOfAGrowingSphereIsItsSpeed)
+{
+    const label n = 20;
+    const auto complex = openCube(n);
+    const scalar growth = 0.6 / n, interval = 0.5;
+    const SerialExchange exchange;
+    StabilityTracker tracker(options(), exchange);
+    for (const label step : {0, 1, 2})
+    {
+        const Snapshot next = snapshot(
+            complex, shapes::sphere(centre, step == 1 ? radius + growth : radius), Zero,
+            3 + step * interval
+        );
+        step ? tracker.advance(next) : tracker.start(next);
+        const Classification& result = tracker.classify();
+        const scalar expected = step == 0 ? 0 : step == 1 ? -growth : growth;
+        const scalar noise = step == 0 ? 0 : 0.25 / n; // of the reconstruction
+        for (const auto* surface : {&result.interface, &result.timeSurface})
+        {
+            ASSERT_EQ(surface->driftSpeed.size(), surface->mesh.points.size());
+            for (const scalar speed : surface->driftSpeed)
+            {
+                EXPECT_NEAR(speed * interval, expected, noise) << step;
+            }
+        }
+        const std::array<scalar, 3>& speeds = result.statistics.driftSpeeds;
+        EXPECT_NEAR(speeds[0] * interval, mag(expected), 0.3 * noise) << step;
+        EXPECT_GE(speeds[2], speeds[1]);
+    }
+}
+
 // Judged by the tangential part of origin, which has an exact truth.
 TEST(StabilityTracker, originsLagByTheDisplacement)
 {
