@@ -51,7 +51,8 @@ AnalysisSession::AnalysisSession(
     const fvMesh& mesh, const Controls& controls, const word& name
 )
     : mesh_(mesh), controls_(controls), name_(name),
-      fields_(mesh, controls.alpha, controls.U), snapshots_(mesh),
+      fields_(mesh, controls.alpha, controls.U),
+      flux_(mesh, controls.phi, controls.velocity), snapshots_(mesh),
       tracker_(controls.tracker, exchange_)
 {
 }
@@ -67,7 +68,29 @@ void AnalysisSession::expect(const instantList& times)
         );
     }
     fields_.require(times);
+    flux_.choose(times);
     progress_.expect(times.size());
+}
+
+// Where nobody said which times there will be: in a solver, or those on disk from now
+// on.
+void AnalysisSession::chooseVelocity()
+{
+    const Time& runTime = mesh_.time();
+    DynamicList<instant> times;
+    if (!fields_.inMemory())
+    {
+        for (const instant& time : runTime.times())
+        {
+            const bool later =
+                time.name() != runTime.constant() && time.value() > runTime.value();
+            if (later || time.name() == runTime.timeName())
+            {
+                times.append(time);
+            }
+        }
+    }
+    flux_.choose(instantList(times));
 }
 
 std::shared_ptr<const FlowSnapshot> AnalysisSession::takeSnapshot()
@@ -80,6 +103,15 @@ std::shared_ptr<const FlowSnapshot> AnalysisSession::takeSnapshot()
     }
     const tmp<volScalarField> alpha(fields_.alpha());
     const tmp<volVectorField> U(fields_.U());
+    if (!flux_.chosen())
+    {
+        chooseVelocity();
+    }
+    if (flux_.applies())
+    {
+        const tmp<surfaceScalarField> phi(flux_.get());
+        return snapshots_.take(alpha(), U(), fields_.time(), &phi());
+    }
     return snapshots_.take(alpha(), U(), fields_.time());
 }
 
@@ -173,10 +205,12 @@ void AnalysisSession::announce() const
     {
         Info << "interfaceStability:" << nl << "    fields " << fields_.alphaName()
              << " (from " << fields_.source().c_str() << ") and " << fields_.UName()
-             << nl << "    " << options.reconstruction.method.c_str()
-             << " reconstruction, epsilon " << epsilon.value
-             << (epsilon.relative ? " cells" : " m") << ", " << options.nThreads
-             << " threads" << nl << "    results in "
+             << nl << "    velocity "
+             << (flux_.kind() == VelocityKind::flux ? "flux: " : "U: ")
+             << flux_.reason().c_str() << nl << "    "
+             << options.reconstruction.method.c_str() << " reconstruction, epsilon "
+             << epsilon.value << (epsilon.relative ? " cells" : " m") << ", "
+             << options.nThreads << " threads" << nl << "    results in "
              << mesh_.time().relativePath(folder_->path()) << nl << endl;
     }
 }

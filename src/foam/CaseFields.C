@@ -4,13 +4,10 @@
 #include "foam/CaseFields.H"
 
 #include "core/Errors.H"
-#include "foam/Failures.H"
 #include "IOdictionary.H"
 #include "IOobjectList.H"
-#include "OSspecific.H"
 #include "Time.H"
 #include "fvMesh.H"
-#include "sigFpe.H"
 
 namespace Foam::stability
 {
@@ -26,13 +23,6 @@ std::string listed(const wordList& names)
         text += (text.empty() ? "" : ", ") + name;
     }
     return text;
-}
-
-IOobject fieldAt(const fvMesh& mesh, const word& name, const word& timeName)
-{
-    return IOobject(
-        name, timeName, mesh, IOobject::MUST_READ, IOobject::NO_WRITE, false
-    );
 }
 
 // The names in `phases (water air);` or `phases (water {...} air {...});`.
@@ -141,95 +131,19 @@ word findAlpha(const fvMesh& mesh, std::string& source)
     return alphas.first();
 }
 
-template<class FieldType>
-tmp<FieldType> getField(const fvMesh& mesh, const word& name)
-{
-    const auto* registered = mesh.findObject<FieldType>(name);
-    if (registered)
-    {
-        return tmp<FieldType>(*registered);
-    }
-
-    const IOobject io(fieldAt(mesh, name, mesh.time().timeName()));
-    const ThrowingErrors throwing;
-    // Patch fields may compute on values that are not finite; that is told later.
-    const sigFpe::ignore untrapped;
-    try
-    {
-        return tmp<FieldType>(new FieldType(io, mesh));
-    }
-    catch (const std::exception& failure)
-    {
-        throw BadInput(
-            "Field " + name + " of time " + mesh.time().timeName()
-            + " cannot be read: " + describe(failure)
-        );
-    }
-}
-
-// While it lives, OpenFOAM prints neither progress nor warnings.
-class Silence
-{
-public:
-    Silence() : level_(messageStream::level) { messageStream::level = 0; }
-    ~Silence() { messageStream::level = level_; }
-    Silence(const Silence&) = delete;
-    Silence& operator=(const Silence&) = delete;
-
-private:
-    int level_;
-};
-
-// What is wrong with a field at a time, by its header; empty if nothing is.
-template<class FieldType>
-std::string complaint(const fvMesh& mesh, const word& name, const word& timeName)
-{
-    const regIOobject* registered = mesh.findObject<regIOobject>(name);
-    if (registered)
-    {
-        return isA<FieldType>(*registered)
-                   ? ""
-                   : "Field " + name + " is a " + registered->type() + "; needed is a "
-                         + FieldType::typeName + ".";
-    }
-
-    IOobject io(fieldAt(mesh, name, timeName));
-    const std::string file = mesh.time().relativePath(io.objectPath());
-    if (!isFile(io.objectPath()))
-    {
-        return "There is no field " + name + " at time " + timeName + " (no file "
-               + file + ").";
-    }
-    bool legible = false;
-    {
-        const Silence silence;
-        legible = io.typeHeaderOk<FieldType>(false, true, false);
-    }
-    if (!legible)
-    {
-        return "File " + file + " has no legible header.";
-    }
-    return io.headerClassName() == FieldType::typeName
-               ? ""
-               : "File " + file + " holds a " + io.headerClassName() + "; needed is a "
-                     + FieldType::typeName + ".";
-}
-
 } // namespace
 
 CaseFields::CaseFields(const fvMesh& mesh, const word& alphaName, const word& UName)
-    : mesh_(mesh), alphaName_(alphaName), UName_(UName), source_("the dictionary")
+    : mesh_(mesh), source_("the dictionary"),
+      alpha_(mesh, alphaName.empty() ? findAlpha(mesh, source_) : alphaName),
+      U_(mesh, UName)
 {
-    if (alphaName_.empty())
-    {
-        alphaName_ = findAlpha(mesh, source_);
-    }
 }
 
 std::string CaseFields::missingAt(const word& timeName) const
 {
-    const std::string first = complaint<volScalarField>(mesh_, alphaName_, timeName);
-    return first.empty() ? complaint<volVectorField>(mesh_, UName_, timeName) : first;
+    const std::string first = alpha_.complaint(timeName);
+    return first.empty() ? U_.complaint(timeName) : first;
 }
 
 void CaseFields::require(const instantList& times) const
@@ -244,20 +158,10 @@ void CaseFields::require(const instantList& times) const
     }
 }
 
-tmp<volScalarField> CaseFields::alpha() const
-{
-    return getField<volScalarField>(mesh_, alphaName_);
-}
-
-tmp<volVectorField> CaseFields::U() const
-{
-    return getField<volVectorField>(mesh_, UName_);
-}
-
 scalar CaseFields::time() const
 {
     const Time& runTime = mesh_.time();
-    if (mesh_.foundObject<volVectorField>(UName_))
+    if (inMemory())
     {
         return runTime.value();
     }

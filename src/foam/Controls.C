@@ -28,6 +28,11 @@ const Enum<Merge> mergeNames({
     {Merge::untracked, "untracked"},
 });
 
+const Enum<VelocityKind> velocityNames({
+    {VelocityKind::U, "U"},
+    {VelocityKind::flux, "flux"},
+});
+
 const Enum<WallVelocity> wallVelocityNames({
     {WallVelocity::slip, "slip"},
     {WallVelocity::noSlip, "noSlip"},
@@ -38,14 +43,12 @@ const Enum<OnError> onErrorNames({
     {OnError::resume, "resume"},
 });
 
-const wordList ownEntries{"alpha",           "U",
-                          "region",          "reconstruction",
-                          "smooth",          "epsilon",
-                          "epsilonAbsolute", "merge",
-                          "normalGate",      "seamTreatment",
-                          "wallVelocity",    "tolerance",
-                          "maxParticles",    "flattening",
-                          "nThreads"};
+const wordList ownEntries{"alpha",        "U",          "phi",
+                          "velocity",     "region",     "reconstruction",
+                          "smooth",       "epsilon",    "epsilonAbsolute",
+                          "merge",        "normalGate", "seamTreatment",
+                          "wallVelocity", "tolerance",  "maxParticles",
+                          "flattening",   "nThreads"};
 
 // What OpenFOAM itself reads from the dictionary of any function object.
 const wordList functionObjectEntries{
@@ -278,6 +281,12 @@ Controls readControls(const dictionary& dict, Shell shell)
     Controls controls;
     controls.alpha = readName(dict, "alpha", word::null);
     controls.U = readName(dict, "U", controls.U);
+    controls.phi = readName(dict, "phi", controls.phi);
+    if (dict.found("velocity", keyType::LITERAL))
+    {
+        controls.velocity =
+            readEnum(dict, "velocity", VelocityKind::flux, velocityNames);
+    }
     controls.tracker = readTrackerOptions(dict);
     controls.onError = readEnum(dict, "onError", OnError::stop, onErrorNames);
     return controls;

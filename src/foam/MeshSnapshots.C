@@ -4,6 +4,7 @@
 #include "foam/MeshSnapshots.H"
 
 #include "core/Errors.H"
+#include "core/flow/FluxVelocity.H"
 #include "emptyPolyPatch.H"
 #include "fvMesh.H"
 #include "symmetryPlanePolyPatch.H"
@@ -67,12 +68,12 @@ CellComplexInput complexInput(const fvMesh& mesh)
 }
 
 // The patch values, in the order of the boundary faces.
-template<class Type>
-Field<Type> boundaryValues(const GeometricField<Type, fvPatchField, volMesh>& field)
+template<class Type, template<class> class PatchField, class GeoMesh>
+Field<Type> boundaryValues(const GeometricField<Type, PatchField, GeoMesh>& field)
 {
     const fvMesh& mesh = field.mesh();
     Field<Type> values(mesh.nFaces() - mesh.nInternalFaces(), Zero);
-    for (const fvPatchField<Type>& patchField : field.boundaryField())
+    for (const PatchField<Type>& patchField : field.boundaryField())
     {
         const label start = patchField.patch().start() - mesh.nInternalFaces();
         forAll(patchField, i)
@@ -117,6 +118,14 @@ vectorField boundaryVelocity(const volVectorField& U, const CellComplex& complex
     return values;
 }
 
+// Of all faces, in the order of the mesh.
+scalarField faceValues(const surfaceScalarField& field)
+{
+    scalarField values(field.primitiveField());
+    values.append(boundaryValues(field));
+    return values;
+}
+
 } // namespace
 
 MeshSnapshots::MeshSnapshots(const fvMesh& mesh)
@@ -125,7 +134,8 @@ MeshSnapshots::MeshSnapshots(const fvMesh& mesh)
 }
 
 std::shared_ptr<const FlowSnapshot> MeshSnapshots::take(
-    const volScalarField& alpha, const volVectorField& U, scalar time
+    const volScalarField& alpha, const volVectorField& U, scalar time,
+    const surfaceScalarField* phi
 ) const
 {
     auto snapshot = std::make_shared<FlowSnapshot>();
@@ -133,17 +143,18 @@ std::shared_ptr<const FlowSnapshot> MeshSnapshots::take(
     snapshot->time = time;
     snapshot->alphas = List<scalarField>(1, alpha.primitiveField());
     snapshot->boundaryAlphas = List<scalarField>(1, boundaryAlpha(alpha, *complex_));
-    snapshot->U = U.primitiveField();
     snapshot->boundaryU = boundaryVelocity(U, *complex_);
     try
     {
+        snapshot->U =
+            phi ? fluxVelocity(*complex_, faceValues(*phi)) : U.primitiveField();
         snapshot->check();
     }
     catch (const BadInput& bad)
     {
         throw BadInput(
-            "Fields " + alpha.name() + " and " + U.name() + " at time "
-            + alpha.time().timeName() + ": " + bad.what()
+            "Fields " + alpha.name() + (phi ? ", " + phi->name() : "") + " and "
+            + U.name() + " at time " + alpha.time().timeName() + ": " + bad.what()
         );
     }
     return snapshot;

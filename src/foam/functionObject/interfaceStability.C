@@ -104,6 +104,8 @@ void interfaceStability::checkFields(const dictionary& dict) const
             {
                 throw std::runtime_error(missing);
             }
+            stability::FaceFlux flux(mesh_, controls_.phi, controls_.velocity);
+            flux.choose(instantList());
         }
     );
     if (!failure.empty())
