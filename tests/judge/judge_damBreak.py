@@ -25,6 +25,15 @@ RECORDED = {
         "coverage at the end": 0.8928,
         "particles at the end": 6238,
     },
+    2.5: {
+        "mean area of the interface [m2]": 0.899,
+        "detached near walls, sum [m2]": 0.3453,
+        "detached elsewhere, sum [m2]": 0.2241,
+        "detached fraction beyond 1 cell, sum": 0.05345,
+        "attached area, sum [m2]": 0.08225,
+        "coverage at the end": 0.4898,
+        "particles at the end": 31040,
+    },
 }
 
 
