@@ -43,12 +43,11 @@ const Enum<OnError> onErrorNames({
     {OnError::resume, "resume"},
 });
 
-const wordList ownEntries{"alpha",        "U",          "phi",
-                          "velocity",     "region",     "reconstruction",
-                          "smooth",       "epsilon",    "epsilonAbsolute",
-                          "merge",        "normalGate", "seamTreatment",
-                          "wallVelocity", "tolerance",  "maxParticles",
-                          "flattening",   "nThreads"};
+const wordList ownEntries{
+    "alpha",          "U",          "phi",           "velocity",     "region",
+    "reconstruction", "sharpening", "smooth",        "epsilon",      "epsilonAbsolute",
+    "merge",          "normalGate", "seamTreatment", "wallVelocity", "tolerance",
+    "maxParticles",   "flattening", "nThreads"};
 
 // What OpenFOAM itself reads from the dictionary of any function object.
 const wordList functionObjectEntries{
@@ -245,6 +244,18 @@ Epsilon readEpsilon(const dictionary& dict, const word& reconstruction)
     return epsilon;
 }
 
+Sharpening readSharpening(const dictionary& dict, const ReconstructionOptions& options)
+{
+    const bool possible = options.method == "isoAlpha";
+    const std::vector<std::string>& names = sharpeningNames();
+    const word name = readWord(dict, "sharpening", possible ? "auto" : "none", names);
+    if (!possible && name != "none")
+    {
+        refuse(dict, "sharpening", "none with the reconstruction " + options.method);
+    }
+    return Sharpening(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
 TrackerOptions readTrackerOptions(const dictionary& dict)
 {
     TrackerOptions options;
@@ -253,6 +264,7 @@ TrackerOptions readTrackerOptions(const dictionary& dict)
     );
     options.reconstruction.smooth =
         readNumber<label>(dict, "smooth", 0, Range{0, 1000, " pairs"});
+    options.reconstruction.sharpening = readSharpening(dict, options.reconstruction);
     options.parametrization.flattening = readWord(
         dict, "flattening", options.parametrization.flattening, Flattening::names()
     );

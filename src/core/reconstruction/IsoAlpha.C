@@ -245,12 +245,43 @@ private:
 
 } // namespace
 
+namespace
+{
+
+// Points that will be moved anyhow keep off the ends of edges, against slivers; not so
+// in tetrahedra, where triangles would fold.
+scalar marginOf(const CellComplex& complex, const ReconstructionOptions& options)
+{
+    constexpr scalar narrow = 1e-3, wide = 0.15, fewTetrahedra = 0.01;
+    if (options.sharpening == Sharpening::none)
+    {
+        return narrow;
+    }
+    label nTetrahedra = 0;
+    for (label celli = 0; celli < complex.nCells(); ++celli)
+    {
+        nTetrahedra += complex.cellFaces()[celli].size() == 4;
+    }
+    return nTetrahedra > fewTetrahedra * complex.nCells() ? narrow : wide;
+}
+
+} // namespace
+
 ReconstructionResult IsoAlpha::extract(const FlowSnapshot& snapshot) const
 {
     const VolumeFractions fractions(snapshot);
-    MarchingTets tets(*snapshot.complex);
-    IsoAlphaExtraction(*snapshot.complex, fractions).cutInto(tets);
-    return finish(tets, *snapshot.complex, fractions.volume, options_);
+    const CellComplex& complex = *snapshot.complex;
+    MarchingTets tets(complex, marginOf(complex, options_));
+    IsoAlphaExtraction(complex, fractions).cutInto(tets);
+    ReconstructionResult result(finish(tets, complex, fractions.volume, options_));
+    if (options_.sharpening != Sharpening::none)
+    {
+        result.sharpening = sharpen(
+            result.mesh, complex, fractions, options_.sharpening, options_.nThreads
+        );
+        result.volume += result.sharpening->volume;
+    }
+    return result;
 }
 
 } // namespace Foam::stability

@@ -15,20 +15,9 @@ namespace
 
 using Vertex = MarchingTets::Vertex;
 
-// Cuts keep this share of an edge from its ends. Clamped, never snapped: snapping
-// merges points and leaves edges with more than two triangles.
-constexpr scalar margin = 1e-3;
-
 bool inside(const Vertex& v)
 {
     return VolumeFractions::inside(v.value);
-}
-
-// Where the value is 1/2, as a share of the way from the inside end to the outside.
-scalar cutShare(const Vertex& in, const Vertex& out)
-{
-    const scalar t = (0.5 - in.value) / (out.value - in.value);
-    return min(max(t, margin), 1 - margin);
 }
 
 // The vertices opposite to vertex i, right-handed around the direction away from it.
@@ -40,7 +29,17 @@ constexpr label pairFirst[6][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2},
 
 } // namespace
 
-MarchingTets::MarchingTets(const CellComplex& complex) : complex_(complex) {}
+MarchingTets::MarchingTets(const CellComplex& complex, scalar margin)
+    : complex_(complex), margin_(margin)
+{
+}
+
+// Where the value is 1/2, as a share of the way from the inside end to the outside.
+scalar MarchingTets::cutShare(const Vertex& in, const Vertex& out) const
+{
+    const scalar t = (0.5 - in.value) / (out.value - in.value);
+    return min(max(t, margin_), 1 - margin_);
+}
 
 void MarchingTets::cut(const FixedList<Vertex, 4>& tet, const UList<label>& cells)
 {

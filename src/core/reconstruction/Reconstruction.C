@@ -33,6 +33,11 @@ std::unique_ptr<Reconstruction> Reconstruction::New(const ReconstructionOptions&
     }
     if (options.method == "bonnell")
     {
+        if (options.sharpening != Sharpening::none)
+        {
+            throw BadInput("Sharpening is for the reconstruction isoAlpha, not bonnell."
+            );
+        }
         return std::make_unique<BonnellDual>(options);
     }
     std::string known;

@@ -86,7 +86,11 @@ ParameterSheets::ParameterSheets(const MatchTarget& target)
       ),
       passages_(findPassages()), seams_(findSeams()),
       seamLocator_(mesh_.points, seams_, 0.5 * mesh_.meanCellSize()),
-      nodes_(findNodes()), scale_(meanScale())
+      nodes_(findNodes()), scale_(meanScale()),
+      interpolation_(
+          mesh_, mesh_.parameters,
+          [&](label trianglei, label k) { return mesh_.corners[trianglei][k]; }
+      )
 {
 }
 
@@ -218,9 +222,7 @@ vector2D ParameterSheets::limited(
 vector2D
 ParameterSheets::interpolate(label trianglei, const FixedList<scalar, 3>& weights) const
 {
-    const CornerIndices& c = mesh_.corners[trianglei];
-    return weights[0] * mesh_.parameters[c[0]] + weights[1] * mesh_.parameters[c[1]]
-           + weights[2] * mesh_.parameters[c[2]];
+    return interpolation_.at(trianglei, mesh_.corners[trianglei], weights);
 }
 
 SheetParameter ParameterSheets::at(const SurfacePoint& x) const

@@ -53,10 +53,10 @@ scalar largestCell(const InterfaceMesh& mesh)
 StabilityTracker::StabilityTracker(
     const TrackerOptions& options, const Exchange& exchange
 )
-    : options_(options), exchange_(exchange),
-      reconstruction_(Reconstruction::New(options.reconstruction)),
-      particles_(options.maxParticles)
+    : options_(options), exchange_(exchange), particles_(options.maxParticles)
 {
+    options_.reconstruction.nThreads = options.nThreads;
+    reconstruction_ = Reconstruction::New(options_.reconstruction);
     Flattening::New(options.parametrization.flattening); // throws for unknown names
     options_.matching.nThreads = options.nThreads;
     options_.transfer.nThreads = options.nThreads;

@@ -11,11 +11,15 @@ namespace Foam::stability
 namespace
 {
 
-// The origin has no seams: plain interpolation. What is attached starts here.
+// The origin has no seams. What is attached starts here.
 void carryOrigins(
     InterfaceMesh& mesh, const List<Match>& matches, const InterfaceMesh& source
 )
 {
+    const SurfaceInterpolation<vector> interpolation(
+        source, source.origins,
+        [&](label trianglei, label k) { return source.triangles[trianglei][k]; }
+    );
     mesh.origins.setSize(mesh.points.size());
     forAll(mesh.points, pointi)
     {
@@ -24,9 +28,9 @@ void carryOrigins(
         {
             const SurfacePoint& x = matches[pointi].nearest;
             const triFace& t = source.triangles[x.triangle];
-            mesh.origins[pointi] = x.weights[0] * source.origins[t[0]]
-                                   + x.weights[1] * source.origins[t[1]]
-                                   + x.weights[2] * source.origins[t[2]];
+            mesh.origins[pointi] = interpolation.at(
+                x.triangle, CornerIndices{t[0], t[1], t[2]}, x.weights
+            );
         }
     }
 }
