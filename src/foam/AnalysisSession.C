@@ -197,6 +197,14 @@ void AnalysisSession::writeTimings(const Classification& classification)
     lastSeconds_ = seconds;
 }
 
+void AnalysisSession::complete() const
+{
+    if (folder_ && anyClassified_)
+    {
+        folder_->complete();
+    }
+}
+
 void AnalysisSession::announce() const
 {
     const TrackerOptions& options = controls_.tracker;
@@ -208,9 +216,10 @@ void AnalysisSession::announce() const
              << nl << "    velocity "
              << (flux_.kind() == VelocityKind::flux ? "flux: " : "U: ")
              << flux_.reason().c_str() << nl << "    "
-             << options.reconstruction.method.c_str() << " reconstruction, epsilon "
-             << epsilon.value << (epsilon.relative ? " cells" : " m") << ", "
-             << options.nThreads << " threads" << nl << "    results in "
+             << options.reconstruction.method.c_str() << " reconstruction, sharpening "
+             << sharpeningNames()[label(options.reconstruction.sharpening)].c_str()
+             << ", epsilon " << epsilon.value << (epsilon.relative ? " cells" : " m")
+             << ", " << options.nThreads << " threads" << nl << "    results in "
              << mesh_.time().relativePath(folder_->path()) << nl << endl;
     }
 }

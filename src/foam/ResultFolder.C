@@ -20,6 +20,7 @@ namespace
 
 const fileName writerLibrary("libinterfaceStabilityVtk.so");
 constexpr int textureSize = 1024; // [pixels]
+const fileName previousName("previous");
 
 std::unique_ptr<ResultWriter> openWriter()
 {
@@ -88,28 +89,66 @@ void ResultFolder::open()
         writer_.reset();
         throw std::runtime_error("Cannot make the folder " + path_ + ".");
     }
-    removeEarlierResults();
+    putEarlierResultsAside();
 }
 
-void ResultFolder::removeEarlierResults() const
+// The lists and tables first: no moment shows lists of files that are gone.
+std::vector<fileName> ResultFolder::results(const fileName& folder) const
 {
-    // The lists and tables first: no moment shows lists of files that are gone.
+    std::vector<fileName> names;
     for (const char* name : {"stability.dat", "survival.dat", "timing.dat"})
     {
-        rm(path_ / name);
+        names.push_back(name);
     }
     for (const Family* family : {&interfaces_, &timeSurfaces_, &particles_})
     {
-        rm(path_ / (family->name + ".vtp.series"));
-        for (const fileName& file : readDir(path_, fileName::FILE, false))
+        names.push_back(family->name + ".vtp.series");
+    }
+    for (const Family* family : {&interfaces_, &timeSurfaces_, &particles_})
+    {
+        for (const fileName& file : readDir(folder, fileName::FILE, false))
         {
             const std::string stem = family->name + "_";
             if (file.compare(0, stem.size(), stem) == 0 && file.hasExt("vtp"))
             {
-                rm(path_ / file);
+                names.push_back(file);
             }
         }
     }
+    return names;
+}
+
+// A run that breaks off must not cost the results of the one before. Where there are
+// such already, the results in place are those of a run that broke off.
+void ResultFolder::putEarlierResultsAside() const
+{
+    const fileName aside(path_ / previousName);
+    const bool kept = isDir(aside);
+    for (const fileName& name : results(path_))
+    {
+        if (kept)
+        {
+            rm(path_ / name);
+        }
+        else if (isFile(path_ / name, false) && (isDir(aside) || mkDir(aside)))
+        {
+            mv(path_ / name, aside / name);
+        }
+    }
+}
+
+void ResultFolder::complete() const
+{
+    const fileName aside(path_ / previousName);
+    if (!isDir(aside))
+    {
+        return;
+    }
+    for (const fileName& name : results(aside))
+    {
+        rm(aside / name);
+    }
+    rmDir(aside); // if nothing of the user's is in it
 }
 
 void ResultFolder::writeFamily(

@@ -130,10 +130,18 @@ def judge_rotation(run, options, verdict):
         verdict.at_most("attached share of M, any step", worst_attached, 0)
     # The last interface of the loop is that after the full turn.
     verdict.at_most("mean error of origin [cells]", errors.origin_mean, options.mean)
-    verdict.at_most("mean error of p [cells]", errors.p_mean, options.mean)
+    verdict.at_most("mean error of p [cells]", errors.p_mean, options.p_mean or options.mean)
     if options.largest:
         verdict.at_most("largest error of origin, any step [cells]", largest_origin, options.largest)
-        verdict.at_most("largest error of p, any step [cells]", largest_p, options.largest)
+        verdict.at_most(
+            "largest error of p, any step [cells]", largest_p, options.p_largest or options.largest
+        )
+    if options.quarter:
+        # Most of the noise of the surface is smaller than a quarter of a cell.
+        survival = run.table("survival.dat")
+        for kind in "detached", "attached":
+            worst = survival[f"{kind}(0.25)"][1:].max()
+            verdict.at_most(f"{kind} at a quarter of a cell, any step", worst, options.quarter)
     verdict.at_most("area with p off the charts, any step", strays, 0.005)
     verdict.at_most(
         "stable area with wrong or no p", errors.wrong_share + errors.blank_share, 0.005
@@ -147,6 +155,10 @@ def main():
     parser.add_argument("--transfers", type=int, default=40)
     parser.add_argument("--mean", type=float, default=0.1, help="allowed mean error [cells]")
     parser.add_argument("--largest", type=float, help="allowed error of any vertex [cells]")
+    parser.add_argument("--p-mean", type=float, help="of p, if not the same")
+    parser.add_argument("--p-largest", type=float, help="of p, if not the same")
+    parser.add_argument("--quarter", type=float,
+                        help="allowed share farther away than a quarter of a cell")
     parser.add_argument("--no-attached", dest="attached", action="store_false",
                         help="do not judge what attached")
     parser.add_argument("--still", action="store_true", help="U is zero: T must detach")

@@ -5,6 +5,8 @@
 #include "core/mesh/TaubinSmoothing.H"
 #include "core/reconstruction/CellPlacement.H"
 
+#include <cmath>
+
 namespace Foam::stability
 {
 
@@ -50,6 +52,47 @@ void keepInside(
     }
 }
 
+// Which of these faces of the boundary x lies on; -1 where it is on none of them.
+label faceUnder(const CellComplex& complex, const UList<label>& walls, const point& x)
+{
+    constexpr scalar roundOff = 1e-6; // of the width of the face
+    for (const label facei : walls)
+    {
+        const scalar area = mag(complex.faceAreas()[facei]);
+        const vector n = complex.faceAreas()[facei] / max(area, VSMALL);
+        const scalar width = std::sqrt(area);
+        bool on = mag((x - complex.faceCentres()[facei]) & n) < roundOff * width;
+        const face& f = complex.faces()[facei];
+        for (label k = 0; on && k < f.size(); ++k)
+        {
+            const point& a = complex.points()[f[k]];
+            const point& b = complex.points()[f.nextLabel(k)];
+            on = (((b - a) ^ (x - a)) & n) > -roundOff * width * mag(b - a);
+        }
+        if (on)
+        {
+            return facei;
+        }
+    }
+    return -1;
+}
+
+// A point on a wall must not slide past the edge where the wall ends.
+void keepOnWall(
+    const CellComplex& complex, const UList<label>& walls, const point& x, vector& move
+)
+{
+    constexpr label maxHalvings = 3;
+    for (label i = 0; i < maxHalvings && faceUnder(complex, walls, x + move) < 0; ++i)
+    {
+        move *= 0.5;
+    }
+    if (faceUnder(complex, walls, x + move) < 0)
+    {
+        move = Zero;
+    }
+}
+
 } // namespace
 
 Surroundings::Surroundings(const CellComplex& complex, label celli)
@@ -78,6 +121,10 @@ scalar moveInterface(InterfaceMesh& mesh, const CellComplex& complex, vectorFiel
         const Surroundings around(complex, celli);
         const bool onWall = mesh.boundaryFaces[pointi] >= 0;
         keepInside(complex, around.boundaryFaces, x, onWall, moves[pointi]);
+        if (onWall && faceUnder(complex, around.boundaryFaces, x) >= 0)
+        {
+            keepOnWall(complex, around.boundaryFaces, x, moves[pointi]);
+        }
         cells[pointi] = holdingCell(complex, around.cells, x + moves[pointi]);
     }
     const scalar swept = sweptVolume(mesh, moves);

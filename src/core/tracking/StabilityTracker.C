@@ -148,6 +148,21 @@ void StabilityTracker::seedPathlines(const InterfaceMesh& mesh)
     }
 }
 
+// Remeshing moves points into cells next to those of the interface.
+void StabilityTracker::findCells(InterfaceMesh& surface) const
+{
+    const CellComplex& complex = *latest_->complex;
+    forAll(surface.points, pointi)
+    {
+        label& celli = surface.cells[pointi];
+        if (!complex.holds(celli, surface.points[pointi]))
+        {
+            celli = complex.findCell(surface.points[pointi]);
+            surface.cellSizes[pointi] = complex.cellSizes()[celli];
+        }
+    }
+}
+
 // Step 1 of the method (paper 4.2): the first interface there is gets p, and T starts
 // from its flattened copy.
 void StabilityTracker::startSurface(const InterfaceMesh& mesh)
@@ -155,7 +170,9 @@ void StabilityTracker::startSurface(const InterfaceMesh& mesh)
     Stopwatch watch(timings_.parametrization);
     result_.parametrization =
         parametrize(exchange_.gather(mesh), options_.parametrization);
-    seedPathlines(result_.parametrization->surface);
+    InterfaceMesh& surface = result_.parametrization->surface;
+    findCells(surface);
+    seedPathlines(surface);
     parametrized_ = true;
 }
 

@@ -217,6 +217,7 @@ bool interfaceStability::write()
 
 bool interfaceStability::end()
 {
+    guarded([&] { session_->complete(); });
     return true;
 }
 
