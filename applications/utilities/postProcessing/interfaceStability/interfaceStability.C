@@ -53,9 +53,8 @@ int main(int argc, char* argv[])
     argList::addNote(
         "Follow the material interface of a volume-of-fluid run with the flow and\n"
         "tell where it is stable, detached or attached.\n"
-        "Reads system/interfaceStabilityDict if it is there, the volume fraction, U "
-        "and\n"
-        "phi of the selected times; writes to postProcessing/interfaceStability."
+        "Reads system/interfaceStabilityDict if it is there, the volume fraction, U\n"
+        "and phi of the selected times; writes to postProcessing/interfaceStability."
     );
     argList::noParallel();
     timeSelector::addOptions(false, false);
@@ -106,8 +105,6 @@ int main(int argc, char* argv[])
             }
         );
     }
-
-    session->complete();
 
     Info << "End\n" << endl;
     return 0;
