@@ -42,7 +42,6 @@ bestFit(const UList<label>& faces, const vectorField& areas, const scalarField& 
 {
     symmTensor matrix(Zero); // [m2], sum of Sf Sf/|Sf|
     vector side(Zero);       // [m3/s], sum of Sf/|Sf| phi
-    scalar total = 0;        // [m2], the trace of the matrix
     for (const label facei : faces)
     {
         const scalar size = mag(areas[facei]);
@@ -51,11 +50,9 @@ bestFit(const UList<label>& faces, const vectorField& areas, const scalarField& 
             const vector normal = areas[facei] / size;
             matrix += size * sqr(normal);
             side += fluxes[facei] * normal;
-            total += size;
         }
     }
-    // Without a unit: the determinant of a small cell must not underflow.
-    return inv(matrix / total) & (side / total);
+    return inv(matrix) & side;
 }
 
 } // namespace
