@@ -106,6 +106,8 @@ int main(int argc, char* argv[])
         );
     }
 
+    session->complete();
+
     Info << "End\n" << endl;
     return 0;
 }
