@@ -157,6 +157,7 @@ void AnalysisSession::classify()
     std::optional<Busy> busy(busySeconds_);
     const Classification& classification = tracker_.classify();
     checkFinite(classification.statistics.values(), Statistics::columns());
+    statistics_ = classification.statistics;
     classifiedTime_ = tracker_.time();
     anyClassified_ = true;
     write(classification);

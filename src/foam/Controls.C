@@ -83,6 +83,10 @@ void checkKeys(const dictionary& dict, Shell shell)
         allowed.append(word("onError"));
         known.insert(functionObjectEntries);
     }
+    else
+    {
+        allowed.append(word("methods"));
+    }
     known.insert(allowed);
     std::string list;
     for (const word& name : allowed)
@@ -302,6 +306,48 @@ Controls readControls(const dictionary& dict, Shell shell)
     controls.tracker = readTrackerOptions(dict);
     controls.onError = readEnum(dict, "onError", OnError::stop, onErrorNames);
     return controls;
+}
+
+std::vector<Method> readMethods(const dictionary& dict)
+{
+    if (!dict.found("methods"))
+    {
+        return {{word::null, readControls(dict, Shell::utility)}};
+    }
+    std::vector<Method> methods;
+    for (const entry& e : PtrList<entry>(dict.lookup("methods")))
+    {
+        const word name(e.keyword());
+        for (const Method& other : methods)
+        {
+            if (other.name == name)
+            {
+                refuse(
+                    dict, "methods",
+                    "a list in which each name is new; " + name + " is twice"
+                );
+            }
+        }
+        // What belongs together is given together.
+        dictionary merged(dict);
+        merged.remove("methods");
+        if (e.dict().found("epsilon") || e.dict().found("epsilonAbsolute"))
+        {
+            merged.remove("epsilon");
+            merged.remove("epsilonAbsolute");
+        }
+        if (e.dict().found("reconstruction"))
+        {
+            merged.remove("sharpening");
+        }
+        merged.merge(e.dict());
+        methods.push_back({name, readControls(merged, Shell::utility)});
+    }
+    if (methods.size() < 2)
+    {
+        refuse(dict, "methods", "a list of at least two, as ( name { entries } ... )");
+    }
+    return methods;
 }
 
 dictionary

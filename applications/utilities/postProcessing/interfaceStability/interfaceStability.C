@@ -31,8 +31,13 @@ Usage
 
     The results are in postProcessing/interfaceStability/\<startTime\>: surfaces and
     particles as VTK files, each family with a .vtp.series for ParaView, and tables
-    stability.dat, survival.dat and timing.dat. They replace those of an earlier run
-    from the same start time as soon as the first time is written.
+    stability.dat, survival.dat and timing.dat. Those of an earlier run from the same
+    start time are put aside in the folder previous there, and removed when this run
+    has come to its end.
+
+    With the entry methods of the dictionary every method that it lists is run on the
+    same flow, with results in postProcessing/interfaceStability_\<name\>, and
+    methods.dat in postProcessing/interfaceStability/\<startTime\> compares them.
 
     Serial, on static meshes without cyclic, empty or wedge patches.
 
@@ -41,12 +46,63 @@ Usage
 #include "argList.H"
 #include "foam/AnalysisSession.H"
 #include "foam/Failures.H"
+#include "foam/MethodComparison.H"
 #include "fvMesh.H"
 #include "timeSelector.H"
 
 #include <optional>
 
 using namespace Foam;
+
+namespace
+{
+
+const word folderName("interfaceStability");
+
+// One method over all times. Returns where what compares it with others belongs.
+fileName analyse(
+    Time& runTime, fvMesh& mesh, const instantList& times,
+    const stability::Method& method, stability::MethodScore& score
+)
+{
+    const word name(
+        method.name.empty() ? folderName : word(folderName + '_' + method.name)
+    );
+    std::optional<stability::AnalysisSession> session;
+    if (!times.empty())
+    {
+        runTime.setTime(times.first(), 0);
+    }
+    fileName results;
+    stability::exitOnFailure(
+        [&]
+        {
+            session.emplace(mesh, method.controls, name);
+            session->expect(times);
+            results = session->resultPath();
+        }
+    );
+    forAll(times, timei)
+    {
+        runTime.setTime(times[timei], timei);
+        if (mesh.readUpdate() != polyMesh::UNCHANGED)
+        {
+            session->meshChanged();
+        }
+        stability::exitOnFailure(
+            [&]
+            {
+                session->advance();
+                session->classify();
+            }
+        );
+        score.add(session->statistics());
+    }
+    session->complete();
+    return results.path().path() / folderName / results.name();
+}
+
+} // namespace
 
 int main(int argc, char* argv[])
 {
@@ -74,39 +130,33 @@ int main(int argc, char* argv[])
     const dictionary dict(stability::findControlsDict(
         runTime, args.get<fileName>("dict", ""), args.get<word>("region", "")
     ));
-    const stability::Controls controls(
-        stability::readControls(dict, stability::Shell::utility)
-    );
+    const std::vector<stability::Method> methods(stability::readMethods(dict));
     const word region(args.get<word>(
         "region", dict.getOrDefault<word>("region", polyMesh::defaultRegion)
     ));
     fvMesh mesh(IOobject(region, runTime.timeName(), runTime, IOobject::MUST_READ));
 
-    std::optional<stability::AnalysisSession> session;
-    stability::exitOnFailure(
-        [&]
-        {
-            session.emplace(mesh, controls, "interfaceStability");
-            session->expect(times);
-        }
-    );
-    forAll(times, timei)
+    stability::MethodComparison comparison;
+    fileName comparisonPath;
+    for (std::size_t i = 0; i < methods.size(); ++i)
     {
-        runTime.setTime(times[timei], timei);
-        if (mesh.readUpdate() != polyMesh::UNCHANGED)
+        const stability::Method& method = methods[i];
+        if (!method.name.empty())
         {
-            session->meshChanged();
+            Info << "interfaceStability: method " << i + 1 << " of " << methods.size()
+                 << ", " << method.name << nl << endl;
         }
-        stability::exitOnFailure(
-            [&]
-            {
-                session->advance();
-                session->classify();
-            }
-        );
+        stability::MethodScore score(method.name);
+        comparisonPath = analyse(runTime, mesh, times, method, score);
+        comparison.add(score);
     }
-
-    session->complete();
+    if (methods.size() > 1)
+    {
+        stability::exitOnFailure([&]
+                                 { comparison.write(comparisonPath / "methods.dat"); });
+        Info << comparison.verdict().c_str() << nl << "The numbers are in "
+             << runTime.relativePath(comparisonPath / "methods.dat") << nl << endl;
+    }
 
     Info << "End\n" << endl;
     return 0;
