@@ -350,3 +350,40 @@ TEST(StabilityTracker, threadsChangeNothing)
     EXPECT_EQ(meshes[0].parameters, meshes[1].parameters);
     EXPECT_EQ(distances[0], distances[1]);
 }
+
+// A static oblique plane and a flow that leaves it, on both sides of a band of a tenth
+// of a cell: not to be had without sharp interfaces (B16).
+TEST(StabilityTracker, theDriftOfAnObliquePlane)
+{
+    const label n = 16;
+    const auto complex = openCube(n);
+    const vector normal = vector(0.31, 0.47, 1) / mag(vector(0.31, 0.47, 1));
+    const shapes::Shape plane = shapes::halfSpace(point(0.5, 0.5, 0.4737), normal);
+    const scalar epsilon = 0.1;
+    for (const scalar share : {0.95, 1.05})
+    {
+        TrackerOptions sharp = options(epsilon);
+        sharp.reconstruction.sharpening = Sharpening::automatic;
+        const SerialExchange exchange;
+        StabilityTracker tracker(sharp, exchange);
+        const vector U = share * epsilon / n * normal;
+        tracker.start(snapshot(complex, plane, U, 0));
+        tracker.classify();
+        tracker.advance(snapshot(complex, plane, U, 1));
+        const ClassifiedSurface& surface = tracker.classify().timeSurface;
+        label nInside = 0;
+        forAll(surface.stability, pointi)
+        {
+            const point& x = surface.mesh.points[pointi];
+            if (cmptMin(x) > 2.0 / n && cmptMax(x) < 1 - 2.0 / n)
+            {
+                ++nInside;
+                EXPECT_EQ(
+                    surface.stability[pointi],
+                    share < 1 ? Stability::stable : Stability::detached
+                );
+            }
+        }
+        EXPECT_GT(nInside, 100);
+    }
+}
