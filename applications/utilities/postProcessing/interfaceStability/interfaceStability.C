@@ -152,10 +152,12 @@ int main(int argc, char* argv[])
     }
     if (methods.size() > 1)
     {
-        stability::exitOnFailure([&]
-                                 { comparison.write(comparisonPath / "methods.dat"); });
+        const fileName table(comparisonPath / "methods.dat");
+        stability::exitOnFailure([&] { comparison.write(table); });
         Info << comparison.verdict().c_str() << nl << "The numbers are in "
-             << runTime.relativePath(comparisonPath / "methods.dat") << nl << endl;
+             << runTime.relativePath(table)
+             << "; interfaceStabilityView -batch -methods with this file draws them."
+             << nl << endl;
     }
 
     Info << "End\n" << endl;

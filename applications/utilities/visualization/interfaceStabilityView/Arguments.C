@@ -35,6 +35,10 @@ void addOptions(Parser& parser, Arguments& arguments, Texts& texts)
     parser.AddArgument(
         "-case", value, &texts.caseFolder, "the case or result folder (default: here)"
     );
+    parser.AddArgument(
+        "-methods", value, &arguments.methods,
+        "draw this table methods.dat as methods.png beside it, and nothing else"
+    );
     parser.AddArgument("-index", value, &texts.index, "indices as in the file names");
     parser.AddArgument("-time", value, &texts.time, "times [s]");
     parser.AddArgument("-all", flag, &arguments.all, "all times (default: the latest)");

@@ -27,10 +27,12 @@ std::vector<std::string> words(const std::string& line)
 
 } // namespace
 
-TableRow readTableRow(const std::filesystem::path& path, double time)
+std::vector<std::pair<std::string, TableRow>>
+readNamedRows(const std::filesystem::path& path)
 {
     std::ifstream stream(path);
     std::vector<std::string> names;
+    std::vector<std::pair<std::string, TableRow>> rows;
     for (std::string line; std::getline(stream, line);)
     {
         if (line.rfind('#', 0) == 0)
@@ -39,23 +41,31 @@ TableRow readTableRow(const std::filesystem::path& path, double time)
             continue;
         }
         const std::vector<std::string> values = words(line);
-        if (values.empty() || values.size() != names.size())
+        if (!values.empty() && values.size() == names.size())
         {
-            continue;
+            TableRow row;
+            for (std::size_t i = 1; i < values.size(); ++i)
+            {
+                row[names[i]] = std::strtod(values[i].c_str(), nullptr);
+            }
+            rows.emplace_back(values[0], row);
         }
-        const double rowTime = std::strtod(values[0].c_str(), nullptr);
-        if (std::abs(rowTime - time) > 1e-6 * std::max(1.0, std::abs(time)))
-        {
-            continue;
-        }
-        TableRow row;
-        for (std::size_t i = 0; i < values.size(); ++i)
-        {
-            row[names[i]] = std::strtod(values[i].c_str(), nullptr);
-        }
-        return row;
     }
-    return {};
+    return rows;
+}
+
+TableRow readTableRow(const std::filesystem::path& path, double time)
+{
+    TableRow none;
+    for (const auto& [name, row] : readNamedRows(path))
+    {
+        const double rowTime = std::strtod(name.c_str(), nullptr);
+        if (std::abs(rowTime - time) <= 1e-6 * std::max(1.0, std::abs(time)))
+        {
+            return row;
+        }
+    }
+    return none;
 }
 
 } // namespace Foam::stability

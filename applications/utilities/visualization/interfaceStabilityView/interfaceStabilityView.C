@@ -6,6 +6,7 @@
 #include "Arguments.H"
 #include "Display.H"
 #include "Messages.H"
+#include "MethodsPlot.H"
 #include "ResultFiles.H"
 #include "Scene.H"
 
@@ -39,6 +40,14 @@ fs::path outputFolder(const Arguments& arguments, const ResultFiles& results)
 
 void writePictures(const Arguments& arguments)
 {
+    if (!arguments.methods.empty())
+    {
+        const Display display;
+        std::cout << "picture 1 of 1: "
+                  << plotMethods(arguments.methods, arguments.size).string()
+                  << std::endl;
+        return;
+    }
     // Whatever can fail early fails before an X server is started.
     const ResultFiles results(arguments.folder);
     const auto frames = results.selected(arguments);
