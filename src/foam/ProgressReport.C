@@ -18,6 +18,16 @@ namespace
 // Beyond so many cells between classifications p is resampled from afar.
 constexpr scalar largestDisplacement = 2.5;
 
+// Epsilon should be at least so many times the noise floor.
+constexpr scalar floorsPerEpsilon = 2;
+
+// Up to two digits.
+scalar roundedUp(scalar value)
+{
+    const scalar digit = std::pow(10.0, std::floor(std::log10(value)) - 1);
+    return std::ceil(value / digit * (1 - 1e-9)) * digit;
+}
+
 } // namespace
 
 void ProgressReport::classified(
@@ -50,8 +60,8 @@ void ProgressReport::showProgress(
          << 100 * s.stableFraction() << " % stable, "
          << s.detachedNearWall + s.detachedElsewhere << " m2 detached, " << s.nParticles
          << " particles; moved " << s.displacement << " cells (largest "
-         << s.largestDisplacement << "), epsilon/interval " << s.drift() << " m/s; "
-         << seconds << " s";
+         << s.largestDisplacement << "), epsilon/interval " << s.drift()
+         << " m/s, noise floor " << s.noiseFloor << " cells; " << seconds << " s";
     if (nExpected_ > nClassified_)
     {
         const scalar left = seconds / nClassified_ * (nExpected_ - nClassified_);
@@ -123,6 +133,27 @@ void ProgressReport::warn(
                 << "): " << c.nSkippedParticles
                 << " found no room, and no more will be seeded. Told once." << endl;
     }
+    warnOfNoise(c, timeName, options.matching.epsilon);
+}
+
+void ProgressReport::warnOfNoise(
+    const Classification& c, const word& timeName, const Epsilon& epsilon
+)
+{
+    const Statistics& s = c.statistics;
+    const scalar least = floorsPerEpsilon * s.noiseFloor; // [cells]
+    if (warnedNoise_ || s.epsilonCells <= 0 || s.epsilonCells >= least)
+    {
+        return;
+    }
+    warnedNoise_ = true;
+    const scalar better = roundedUp(epsilon.value * least / s.epsilonCells);
+    Warning << "interfaceStability: at time " << timeName << " s epsilon ("
+            << s.epsilonCells << " cells) is below twice the noise floor of the "
+            << "reconstruction (" << s.noiseFloor
+            << " cells): part of what attaches and detaches is noise. Better is "
+            << (epsilon.relative ? "epsilon " : "epsilonAbsolute ") << better
+            << ". Told once; see the column noiseFloor of stability.dat." << endl;
 }
 
 } // namespace Foam::stability

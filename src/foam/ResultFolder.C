@@ -67,6 +67,8 @@ ResultFolder::ResultFolder(const fileName& path)
     : path_(path), stability_("Areas in m2, displacement in cells, speeds in m/s"),
       survival_("Fractions of T (detached) and M (attached) farther away than so many "
                 "cells"),
+      droplets_("Droplets and bubbles below 1.5 cells: radius in cells, volume in m3, "
+                "centroid in m"),
       timing_("Seconds of wall-clock time, by phase, since the last classified time")
 {
     const fileName inTheWay(obstacle(path_));
@@ -79,6 +81,7 @@ ResultFolder::ResultFolder(const fileName& path)
     }
     stability_.setColumns(Statistics::columns());
     survival_.setColumns(Statistics::survivalColumns());
+    droplets_.setColumns(Droplet::columns());
 }
 
 void ResultFolder::open()
@@ -96,7 +99,8 @@ void ResultFolder::open()
 std::vector<fileName> ResultFolder::results(const fileName& folder) const
 {
     std::vector<fileName> names;
-    for (const char* name : {"stability.dat", "survival.dat", "timing.dat"})
+    for (const char* name :
+         {"stability.dat", "survival.dat", "droplets.dat", "timing.dat"})
     {
         names.push_back(name);
     }
@@ -192,6 +196,11 @@ void ResultFolder::write(const Classification& c, const InstabilityParticles& pa
     stability_.write(path_ / "stability.dat");
     survival_.addRow(statistics.survivalValues());
     survival_.write(path_ / "survival.dat");
+    for (const Droplet& droplet : c.droplets)
+    {
+        droplets_.addRow(droplet.values(statistics.time));
+    }
+    droplets_.write(path_ / "droplets.dat");
 }
 
 void ResultFolder::writeTimings(

@@ -26,6 +26,9 @@ ARRAYS = {
         "stability": (1, True),
         "distance": (1, False),
         "driftSpeed": (1, False),
+        "confidence": (1, False),
+        "thin": (1, True),
+        "subGrid": (1, True),
         "preimageCount": (1, True),
         "component": (1, True),
     },
@@ -35,6 +38,9 @@ ARRAYS = {
         "stability": (1, True),
         "distance": (1, False),
         "driftSpeed": (1, False),
+        "confidence": (1, False),
+        "thin": (1, True),
+        "subGrid": (1, True),
         "nearWall": (1, True),
     },
     "particles": {
@@ -51,7 +57,7 @@ ARRAYS = {
     },
 }
 CLASSES = {"interface": {0, 1}, "timeSurface": {0, 2, 3}}
-MAY_BE_CONSTANT = {"component", "preimageCount", "state"}
+MAY_BE_CONSTANT = {"component", "preimageCount", "state", "subGrid", "thin"}
 
 
 class Findings:
@@ -142,7 +148,7 @@ def check_weld(findings, surface):
     first[ids[::-1]] = np.arange(surface.n)[::-1]
     twins = first[ids]
     same = np.array_equal(surface.points, surface.points[twins])
-    for array in ("stability", "distance", "driftSpeed", "origin"):
+    for array in ("stability", "distance", "driftSpeed", "confidence", "thin", "subGrid", "origin"):
         if array in surface.arrays:
             same = same and np.array_equal(surface[array], surface[array][twins])
     findings.require("vertex welds equal points", same, surface.path.name)
@@ -271,6 +277,15 @@ def check_row(findings, row, m, t, cloud):
     agrees("attachedArea", of_m[m["stability"] == 1].sum(), area)
     agrees("detachedNearWalls", of_t[detached & near].sum(), t_area)
     agrees("detachedElsewhere", of_t[detached & ~near].sum(), t_area)
+    small = (t["thin"] == 1) | (t["subGrid"] == 1)
+    agrees("detachedThin", of_t[detached & ~near & small].sum(), t_area)
+    agrees("detachedResolved", of_t[detached & ~near & ~small].sum(), t_area)
+    told = row["detachedNearWalls"] + row["detachedThin"] + row["detachedResolved"]
+    findings.require(
+        "what detached is by walls, thin or resolved",
+        abs(told - of_t[detached].sum()) <= 2e-5 * max(t_area, 1e-300),
+        f"{told:g} m2 at {row['Time']:g} s",
+    )
     agrees("leftArea", of_t[t["stability"] == 3].sum(), t_area)
     if area > 0:
         agrees("stableFraction", of_m[m["stability"] == 0].sum() / area, 1)
@@ -303,6 +318,46 @@ def check_drift(findings, m, t, row, interval):
             below <= wanted * (1 + 1e-9) and up_to >= wanted * (1 - 1e-9),
             f"{percent} % at {row['Time']:g} s: {value:g} m/s",
         )
+
+
+def check_confidence(findings, m, t, row, cells):
+    """How far each point is from epsilon, in noise floors; cells of one size."""
+    for surface in (m, t):
+        if surface.n:
+            floor = row["noiseFloor"] * cells
+            off = np.abs(surface["distance"] - row["epsilon"])
+            wanted = np.minimum(off / max(floor, 1e-300), 1000)
+            wrong = np.sum(np.abs(surface["confidence"] - wanted) > 1e-5 * np.maximum(wanted, 1))
+            findings.require(
+                "confidence is the way to epsilon over the noise floor",
+                wrong == 0,
+                f"{wrong} in {surface.path.name}",
+            )
+
+
+def check_droplets(findings, m, droplets, time):
+    """droplets.dat has a row for each component that is sub-grid, and its points."""
+    here = np.isclose(droplets["Time"], time, rtol=0, atol=1e-12 * max(1, abs(time)))
+    told = {
+        int(c): int(n) for c, n in zip(droplets["component"][here], droplets["points"][here])
+    }
+    flagged = {}
+    if m.n:
+        small = m["subGrid"] == 1
+        for component in np.unique(m["component"][small]):
+            of_it = m["component"] == component
+            flagged[int(component)] = len(np.unique(m["vertex"][of_it]))
+            findings.require(
+                "components are sub-grid as wholes", np.all(small[of_it]), m.path.name
+            )
+    findings.require(
+        "droplets.dat agrees with the files", told == flagged, f"{told}, not {flagged}"
+    )
+    findings.require(
+        "droplets are below 1.5 cells",
+        np.all((droplets["radius"][here] > 0) & (droplets["radius"][here] < 1.5)),
+        f"at {time:g} s",
+    )
 
 
 class Particles:
@@ -450,6 +505,7 @@ def judge(run, options, verdict):
         row = {k: v[index] for k, v in rows.items()}
         if m.n and t.n:
             check_row(findings, row, m, t, cloud)
+        check_droplets(findings, m, run.table("droplets.dat"), row["Time"])
         check_drift(findings, m, t, row, row["Time"] - rows["Time"][index - 1] if index else 0)
         if t.n:
             particles.check(findings, cloud, t)
@@ -458,6 +514,7 @@ def judge(run, options, verdict):
             check_band(findings, t, options.band)
         if options.cells and index % options.every == 0:
             check_distances(findings, m, t, options.cells)
+            check_confidence(findings, m, t, row, options.cells)
     if options.varied:
         constant = variation.constant()
         findings.require("arrays vary over the run", not constant, ", ".join(constant))

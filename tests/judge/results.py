@@ -109,7 +109,7 @@ class Run:
         comments = [line for line in lines if line.startswith("#")]
         names = comments[-1].lstrip("#").split()
         rows = [line.split() for line in lines if line.strip() and line[0] != "#"]
-        values = np.array(rows, dtype=float)
+        values = np.array(rows, dtype=float) if rows else np.zeros((0, len(names)))
         if values.ndim != 2 or values.shape[1] != len(names):
             raise ValueError(f"{path}: {len(names)} names for {values.shape} values")
         return {name: values[:, i] for i, name in enumerate(names)}

@@ -149,6 +149,13 @@ surface(const ClassifiedSurface& from, const SplitPoints& split, scalar time)
         scalars(
             "driftSpeed", false, vertex, [&](label i) { return from.driftSpeed[i]; }
         ),
+        scalars(
+            "confidence", false, vertex, [&](label i) { return from.confidence[i]; }
+        ),
+        scalars("thin", true, vertex, [&](label i) { return label(from.thin[i]); }),
+        scalars(
+            "subGrid", true, vertex, [&](label i) { return label(from.subGrid[i]); }
+        ),
     };
     return result;
 }

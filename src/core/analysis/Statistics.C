@@ -33,6 +33,9 @@ std::vector<std::string> Statistics::columns()
         "driftSpeed50",
         "driftSpeed90",
         "driftSpeed99",
+        "noiseFloor",
+        "detachedThin",
+        "detachedResolved",
     };
 }
 
@@ -60,6 +63,9 @@ std::vector<scalar> Statistics::values() const
         driftSpeeds[0],
         driftSpeeds[1],
         driftSpeeds[2],
+        noiseFloor,
+        detachedThin,
+        detachedResolved,
     };
 }
 
@@ -112,6 +118,20 @@ void fillSurvival(
     }
 }
 
+void addDetached(
+    Statistics& statistics, const ClassifiedSurface& surface, label pointi, scalar area
+)
+{
+    if (surface.nearWall[pointi])
+    {
+        statistics.detachedNearWall += area;
+        return;
+    }
+    statistics.detachedElsewhere += area;
+    const bool small = surface.thin[pointi] || surface.subGrid[pointi];
+    (small ? statistics.detachedThin : statistics.detachedResolved) += area;
+}
+
 // For each fraction (rising) of the area the least speed that it does not exceed.
 void fillDriftSpeeds(
     std::array<scalar, 3>& speeds, const scalarField& driftSpeed,
@@ -150,14 +170,20 @@ void survey(
     statistics.nVertices = mesh.points.size();
     statistics.nTriangles = mesh.triangles.size();
     statistics.area = mesh.area();
-    scalar epsilonArea = 0;
+    scalar epsilonArea = 0, cellsArea = 0;
     forAll(areas, pointi)
     {
         const bool stable = interface.stability[pointi] == Stability::stable;
         (stable ? statistics.stableArea : statistics.attachedArea) += areas[pointi];
-        epsilonArea += epsilon.at(mesh.cellSizes[pointi]) * areas[pointi];
+        const scalar h = mesh.cellSizes[pointi];
+        epsilonArea += epsilon.at(h) * areas[pointi];
+        cellsArea += epsilon.at(h) / max(h, VSMALL) * areas[pointi];
     }
-    statistics.epsilon = statistics.area > 0 ? epsilonArea / statistics.area : 0;
+    if (statistics.area > 0)
+    {
+        statistics.epsilon = epsilonArea / statistics.area;
+        statistics.epsilonCells = cellsArea / statistics.area;
+    }
     forAll(mesh.triangles, trianglei)
     {
         if (mesh.parametrized(trianglei))
@@ -179,8 +205,7 @@ void survey(
         statistics.timeSurfaceArea += area;
         if (timeSurface.stability[pointi] == Stability::detached)
         {
-            (timeSurface.nearWall[pointi] ? statistics.detachedNearWall
-                                          : statistics.detachedElsewhere) += area;
+            addDetached(statistics, timeSurface, pointi, area);
         }
     }
     fillSurvival(

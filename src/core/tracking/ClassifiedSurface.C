@@ -9,20 +9,6 @@ namespace Foam::stability
 namespace
 {
 
-labelList pointComponents(const InterfaceMesh& mesh)
-{
-    const SurfaceTopology topology(mesh.points.size(), mesh.triangles);
-    labelList result(mesh.points.size(), 0);
-    forAll(mesh.triangles, trianglei)
-    {
-        for (const label pointi : mesh.triangles[trianglei])
-        {
-            result[pointi] = topology.components()[trianglei];
-        }
-    }
-    return result;
-}
-
 // [m/s], as the header defines it. Normals point from the first fluid to the second.
 scalarField driftSpeeds(
     const InterfaceMesh& mesh, const UList<Match>& matches, bool onInterface,
@@ -54,6 +40,20 @@ scalarField driftSpeeds(
 
 } // namespace
 
+labelList pointComponents(const InterfaceMesh& mesh)
+{
+    const SurfaceTopology topology(mesh.points.size(), mesh.triangles);
+    labelList result(mesh.points.size(), 0);
+    forAll(mesh.triangles, trianglei)
+    {
+        for (const label pointi : mesh.triangles[trianglei])
+        {
+            result[pointi] = topology.components()[trianglei];
+        }
+    }
+    return result;
+}
+
 ClassifiedSurface describe(
     const InterfaceMesh& mesh, const UList<Match>& matches, Stability unmatched,
     const CellComplex& complex, scalar interval
@@ -77,6 +77,23 @@ ClassifiedSurface describe(
         surface.nearWall[i] = mesh.cells[i] >= 0 && complex.nearWall(mesh.cells[i]);
     }
     return surface;
+}
+
+scalarField
+confidences(const ClassifiedSurface& surface, const Epsilon& epsilon, scalar noiseFloor)
+{
+    constexpr scalar largest = 1000;
+    scalarField result(surface.distance.size(), largest);
+    forAll(result, pointi)
+    {
+        const scalar h = surface.mesh.cellSizes[pointi];
+        const scalar off = mag(surface.distance[pointi] - epsilon.at(h)); // [m]
+        if (off < largest * noiseFloor * h)
+        {
+            result[pointi] = off / (noiseFloor * h);
+        }
+    }
+    return result;
 }
 
 } // namespace Foam::stability

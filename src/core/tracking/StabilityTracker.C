@@ -4,7 +4,9 @@
 #include "core/tracking/StabilityTracker.H"
 
 #include "core/Errors.H"
+#include "core/analysis/ThinSheets.H"
 #include "core/parametrization/Flattening.H"
+#include "core/reconstruction/NoiseFloor.H"
 
 #include <chrono>
 #include <sstream>
@@ -132,9 +134,23 @@ void StabilityTracker::placeTimeSurface()
     }
 }
 
-void StabilityTracker::seedPathlines(const InterfaceMesh& mesh)
+StabilityTracker::SmallScales StabilityTracker::smallScales(const InterfaceMesh& mesh)
+{
+    Stopwatch watch(timings_.matching);
+    const labelList components(pointComponents(mesh));
+    SmallScales scales;
+    scales.thin = thinPoints(mesh, options_.nThreads);
+    scales.droplets = subGridDroplets(mesh, components, *latest_);
+    scales.subGrid = subGridPoints(components, scales.droplets);
+    return scales;
+}
+
+void StabilityTracker::seedPathlines(
+    const InterfaceMesh& mesh, const SmallScales& scales
+)
 {
     timeSurface_ = mesh;
+    seedScales_ = scales;
     seeds_ = mesh.points;
     pathlines_.clear();
     forAll(mesh.points, pointi)
@@ -167,19 +183,35 @@ void StabilityTracker::findCells(InterfaceMesh& surface) const
 // from its flattened copy.
 void StabilityTracker::startSurface(const InterfaceMesh& mesh)
 {
-    Stopwatch watch(timings_.parametrization);
-    result_.parametrization =
-        parametrize(exchange_.gather(mesh), options_.parametrization);
+    {
+        Stopwatch watch(timings_.parametrization);
+        result_.parametrization =
+            parametrize(exchange_.gather(mesh), options_.parametrization);
+    }
     InterfaceMesh& surface = result_.parametrization->surface;
     findCells(surface);
-    seedPathlines(surface);
+    seedPathlines(surface, smallScales(surface));
     parametrized_ = true;
 }
 
 ReconstructionResult StabilityTracker::extract()
 {
     Stopwatch watch(timings_.reconstruction);
-    return reconstruction_->extract(*latest_);
+    ReconstructionResult result(reconstruction_->extract(*latest_));
+    result_.statistics.noiseFloor =
+        noiseFloor(result, *latest_, options_.reconstruction);
+    return result;
+}
+
+// What noise leaves of the classes.
+void StabilityTracker::rateClasses()
+{
+    for (ClassifiedSurface* surface : {&result_.interface, &result_.timeSurface})
+    {
+        surface->confidence = confidences(
+            *surface, options_.matching.epsilon, result_.statistics.noiseFloor
+        );
+    }
 }
 
 // Steps 4 and 5 of the method: both surfaces against each other, p to the new one.
@@ -209,6 +241,12 @@ void StabilityTracker::compare(const InterfaceMesh& extracted)
         describe(mesh, onInterface, Stability::attached, complex, interval);
     result_.timeSurface =
         describe(timeSurface_, onTimeSurface, Stability::detached, complex, interval);
+    SmallScales scales(smallScales(mesh));
+    result_.interface.thin = std::move(scales.thin);
+    result_.interface.subGrid = std::move(scales.subGrid);
+    result_.droplets = std::move(scales.droplets);
+    result_.timeSurface.thin = seedScales_.thin;
+    result_.timeSurface.subGrid = seedScales_.subGrid;
     forAll(pathlines_, pointi)
     {
         if (pathlines_[pointi].state == PathlineState::left)
@@ -253,7 +291,8 @@ void StabilityTracker::handOn(bool begins)
 {
     if (!begins)
     {
-        seedPathlines(result_.interface.mesh);
+        const ClassifiedSurface& M = result_.interface;
+        seedPathlines(M.mesh, {M.thin, M.subGrid, {}});
     }
     else if (nClassified_ > 0)
     {
@@ -269,6 +308,8 @@ void StabilityTracker::handOn(bool begins)
         }
         result_.timeSurface =
             describe(timeSurface_, atHome, Stability::stable, *latest_->complex, 0);
+        result_.timeSurface.thin = seedScales_.thin;
+        result_.timeSurface.subGrid = seedScales_.subGrid;
     }
 }
 
@@ -290,6 +331,7 @@ const Classification& StabilityTracker::classify()
     seedParticles();
     takeStock(extracted);
     handOn(begins);
+    rateClasses();
 
     lastClassified_ = latest_->time;
     ++nClassified_;

@@ -62,6 +62,11 @@ Classification seamed()
     surface.distance[4] = 0.02;
     surface.driftSpeed = scalarField(6, -0.5);
     surface.driftSpeed[2] = 0.25;
+    surface.confidence = scalarField(6, 3);
+    surface.confidence[1] = 8;
+    surface.thin = List<bool>(6, false);
+    surface.subGrid = List<bool>(6, false);
+    surface.thin[3] = surface.subGrid[0] = true;
     surface.preimages = labelList(6, 1);
     surface.nearWall = List<bool>(6, false);
     surface.components = labelList(6, 0);
@@ -137,6 +142,9 @@ TEST(ResultSurfaces, arraysHaveTheirClassesAndSizes)
         EXPECT_EQ(arrayOf(surface, "stability").values[i], v == 5 ? 1 : 0);
         EXPECT_EQ(arrayOf(surface, "distance").values[i], v == 4 ? 0.02 : 0.01);
         EXPECT_EQ(arrayOf(surface, "driftSpeed").values[i], v == 2 ? 0.25 : -0.5);
+        EXPECT_EQ(arrayOf(surface, "confidence").values[i], v == 1 ? 8 : 3);
+        EXPECT_EQ(arrayOf(surface, "thin").values[i], v == 3);
+        EXPECT_EQ(arrayOf(surface, "subGrid").values[i], v == 0);
         EXPECT_EQ(arrayOf(surface, "origin").values[3 * i + 2], 0.2 * v);
     }
     EXPECT_EQ(arrayOf(surface, "preimageCount").nComponents, 1);
@@ -155,6 +163,9 @@ TEST(ResultSurfaces, theTimeSurfaceKnowsWallsAndKeepsItsSeams)
         EXPECT_EQ(
             arrayOf(surface, "driftSpeed").values[i], vertex[i] == 2 ? 0.25 : -0.5
         );
+        EXPECT_EQ(arrayOf(surface, "confidence").values[i], vertex[i] == 1 ? 8 : 3);
+        EXPECT_EQ(arrayOf(surface, "thin").values[i], vertex[i] == 3);
+        EXPECT_EQ(arrayOf(surface, "subGrid").values[i], vertex[i] == 0);
         EXPECT_EQ(arrayOf(surface, "stability").values[i], vertex[i] == 5 ? 2 : 0);
     }
 }
@@ -163,7 +174,7 @@ TEST(ResultSurfaces, emptySurfacesHaveAllArrays)
 {
     const ResultSurface surface(interfaceSurface(Classification()));
     EXPECT_EQ(surface.points.size(), 0);
-    EXPECT_EQ(surface.arrays.size(), 9u);
+    EXPECT_EQ(surface.arrays.size(), 12u);
     const ResultSurface cloud(particleCloud(InstabilityParticles(5), 0.3));
     EXPECT_EQ(cloud.arrays.size(), 10u);
 }

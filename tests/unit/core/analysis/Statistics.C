@@ -28,6 +28,8 @@ ClassifiedSurface strip()
     surface.driftSpeed = scalarField(List<scalar>{-5, 2, -3, 7});
     surface.preimages = labelList(4, 1);
     surface.nearWall = List<bool>(4, false);
+    surface.thin = List<bool>(4, false);
+    surface.subGrid = List<bool>(4, false);
     surface.components = labelList(4, 0);
     return surface;
 }
@@ -65,6 +67,7 @@ TEST(Statistics, areasAreWeightedByThirds)
     // epsilon = h/2, weighted by area
     const scalar exact = 0.5 * (0.1 / 3 + 0.2 * 4 / 3 + 0.4 * 4 / 3 + 0.8) / 4;
     EXPECT_NEAR(statistics.epsilon, exact, 1e-14);
+    EXPECT_NEAR(statistics.epsilonCells, 0.5, 1e-14);
     EXPECT_EQ(statistics.nVertices, 4);
     EXPECT_EQ(statistics.nTriangles, 2);
 }
@@ -74,8 +77,31 @@ TEST(Statistics, anAbsoluteEpsilonIsTakenAsItIs)
     Statistics statistics;
     survey(statistics, strip(), nothing(), Epsilon{0.07, false});
     EXPECT_NEAR(statistics.epsilon, 0.07, 1e-15);
+    const scalar cells = 0.07 * (1 / 0.1 / 3 + 4 / 0.2 / 3 + 4 / 0.4 / 3 + 1 / 0.8) / 4;
+    EXPECT_NEAR(statistics.epsilonCells, cells, 1e-14);
     statistics.interval = 0.02;
     EXPECT_NEAR(statistics.drift(), 3.5, 1e-13);
+}
+
+// By walls 1/3, thin 4/3, sub-grid 1, and 4/3 that is neither.
+TEST(Statistics, whatDetachesIsByWallsThinOrResolved)
+{
+    ClassifiedSurface timeSurface(strip());
+    timeSurface.stability = Stability::detached;
+    timeSurface.nearWall[0] = true;
+    timeSurface.thin[0] = timeSurface.thin[1] = true;
+    timeSurface.subGrid[0] = timeSurface.subGrid[3] = true;
+    Statistics statistics;
+    survey(statistics, strip(), timeSurface, Epsilon());
+    EXPECT_NEAR(statistics.detachedNearWall, 1.0 / 3, 1e-14);
+    EXPECT_NEAR(statistics.detachedThin, 7.0 / 3, 1e-14);
+    EXPECT_NEAR(statistics.detachedResolved, 4.0 / 3, 1e-14);
+    EXPECT_NEAR(statistics.detachedElsewhere, 11.0 / 3, 1e-14);
+    const std::vector<std::string> names(Statistics::columns());
+    EXPECT_EQ(names[22], "detachedThin");
+    EXPECT_NEAR(statistics.values()[22], 7.0 / 3, 1e-14);
+    EXPECT_EQ(names[23], "detachedResolved");
+    EXPECT_NEAR(statistics.values()[23], 4.0 / 3, 1e-14);
 }
 
 // Distances in cells: 0.03, 0.15, 0.975, and 3 up to round-off.
@@ -129,9 +155,12 @@ TEST(Statistics, driftSpeedsAreSizesByArea)
     timeSurface.mesh.points[0] = timeSurface.mesh.points[1]; // no area
     survey(statistics = Statistics(), interface, timeSurface, Epsilon());
     EXPECT_EQ(statistics.driftSpeeds, (std::array<scalar, 3>{2, 3, 3}));
+    statistics.noiseFloor = 0.25;
     const std::vector<scalar> values(statistics.values());
-    EXPECT_EQ(values.back(), 3);
-    EXPECT_EQ(Statistics::columns().back(), "driftSpeed99");
+    EXPECT_EQ(values[20], 3);
+    EXPECT_EQ(values[21], 0.25);
+    EXPECT_EQ(Statistics::columns()[20], "driftSpeed99");
+    EXPECT_EQ(Statistics::columns()[21], "noiseFloor");
 }
 
 TEST(Statistics, coverageCountsTrianglesWithParameters)

@@ -67,6 +67,34 @@ TEST(ClassifiedSurface, driftIsCappedAsTheDistanceIs)
     EXPECT_NEAR(speeds(Stability::attached, 0.25)[2], 1.2, 1e-15);
 }
 
+// Cells of 0.1 m and an epsilon of half a cell: 0.3, 0.1 and 2.5 cells from the edge.
+TEST(ClassifiedSurface, confidenceIsTheWayToEpsilonInFloors)
+{
+    const InterfaceMesh mesh(triangle());
+    const ClassifiedSurface surface(
+        describe(mesh, matches(mesh), Stability::detached, *shapes::unitCube(2), 0.25)
+    );
+    const scalarField relative(confidences(surface, Epsilon{0.5, true}, 0.04));
+    EXPECT_NEAR(relative[0], 7.5, 1e-12);
+    EXPECT_NEAR(relative[1], 2.5, 1e-12);
+    EXPECT_NEAR(relative[2], 62.5, 1e-12);
+    const scalarField absolute(confidences(surface, Epsilon{0.03, false}, 0.04));
+    EXPECT_NEAR(absolute[0], 2.5, 1e-12);
+    EXPECT_NEAR(absolute[1], 7.5, 1e-12);
+}
+
+TEST(ClassifiedSurface, confidenceEndsAtAThousand)
+{
+    const InterfaceMesh mesh(triangle());
+    const ClassifiedSurface surface(
+        describe(mesh, matches(mesh), Stability::detached, *shapes::unitCube(2), 0.25)
+    );
+    const scalarField fine(confidences(surface, Epsilon{0.5, true}, 2e-4));
+    EXPECT_EQ(fine[0], 1000);
+    EXPECT_NEAR(fine[1], 500, 1e-9);
+    EXPECT_EQ(confidences(surface, Epsilon{0.2, true}, 0), scalarField(3, 1000));
+}
+
 TEST(ClassifiedSurface, nothingDriftsAtTheStart)
 {
     EXPECT_EQ(speeds(Stability::attached, 0), scalarField(3, 0));

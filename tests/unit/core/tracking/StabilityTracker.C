@@ -146,6 +146,93 @@ TEST(StabilityTracker, theDriftOfAGrowingSphereIsItsSpeed)
     }
 }
 
+// A ball, a droplet of 1.2 cells, a sheet of 0.8 cells from wall to wall and another
+// ball on a wall, in cells of 1/24 m, rest and vanish. The last time surface was
+// seeded from the interface, the first from the flattened one.
+TEST(StabilityTracker, whatVanishesIsSplitByWallsThinAndResolved)
+{
+    const scalar h = 1.0 / 24;
+    const auto complex = shapes::unitCube(24);
+    const point high(0.52, 0.47, 14.52 * h);
+    const shapes::Shape sheet = [=](const point& x)
+    { return mag(x.z() - 7.5 * h - 0.04 * x.x() * h) - 0.4 * h; };
+    const point speck(0.19, 0.21, 0.83);
+    const shapes::Shape water = shapes::unionOf(
+        shapes::unionOf(sheet, shapes::sphere(high, 4.2 * h)),
+        shapes::unionOf(
+            shapes::sphere(speck, 1.2 * h), shapes::sphere(point(1, 0.8, 0.8), 3.3 * h)
+        )
+    );
+    for (const label nRests : {0, 1})
+    {
+        const SerialExchange exchange;
+        TrackerOptions sharp = options();
+        sharp.reconstruction.sharpening = Sharpening::automatic;
+        StabilityTracker tracker(sharp, exchange);
+        tracker.start(snapshot(complex, water, Zero, 0));
+        for (label i = 0; i < nRests; ++i)
+        {
+            EXPECT_EQ(tracker.classify().droplets.size(), 1u);
+            tracker.advance(snapshot(complex, water, Zero, i + 1));
+        }
+        const Classification& before = tracker.classify();
+        ASSERT_EQ(before.droplets.size(), 1u);
+        EXPECT_NEAR(before.droplets[0].radius, 1.2, 2e-3);
+        EXPECT_LT(mag(before.droplets[0].centroid - speck), 0.02 * h);
+        forAll(before.interface.mesh.points, pointi)
+        {
+            const scalar off = mag(before.interface.mesh.points[pointi] - speck);
+            EXPECT_EQ(bool(before.interface.subGrid[pointi]), off < 2 * h);
+        }
+
+        tracker.advance(snapshot(complex, nowhere, Zero, nRests + 1));
+        const Classification& after = tracker.classify();
+        const Statistics& s = after.statistics;
+        EXPECT_TRUE(after.droplets.empty());
+        EXPECT_NEAR(
+            s.detachedNearWall + s.detachedThin + s.detachedResolved,
+            after.timeSurface.mesh.area(), 1e-12
+        );
+        EXPECT_GT(s.detachedNearWall, 0.1);
+        EXPECT_NEAR(s.detachedResolved, 4 * M_PI * sqr(4.2 * h), 0.01);
+        EXPECT_NEAR(s.detachedThin, 2 * sqr(22 * h) + 4 * M_PI * sqr(1.2 * h), 0.1);
+    }
+}
+
+// Both surfaces know how far their classes are from the noise.
+TEST(StabilityTracker, noiseRatesTheClasses)
+{
+    const auto complex = openCube(20);
+    const SerialExchange exchange;
+    scalar floors[2];
+    for (const label sharp : {0, 1})
+    {
+        TrackerOptions chosen = options();
+        chosen.reconstruction.sharpening =
+            sharp ? Sharpening::automatic : Sharpening::none;
+        StabilityTracker tracker(chosen, exchange);
+        tracker.start(snapshot(complex, shapes::sphere(centre, radius), Zero, 0));
+        tracker.classify();
+        tracker.advance(snapshot(complex, shapes::sphere(centre, radius), Zero, 1));
+        const Classification& result = tracker.classify();
+        floors[sharp] = result.statistics.noiseFloor;
+        for (const auto* surface : {&result.interface, &result.timeSurface})
+        {
+            ASSERT_EQ(surface->confidence.size(), surface->mesh.points.size());
+            forAll(surface->confidence, pointi)
+            {
+                const scalar off = 0.5 - surface->distance[pointi] * 20; // [cells]
+                EXPECT_NEAR(
+                    surface->confidence[pointi], min(off / floors[sharp], 1000.0), 1e-6
+                );
+            }
+        }
+    }
+    EXPECT_GT(floors[0], 0.1);
+    EXPECT_LT(floors[1], 0.02);
+    EXPECT_GT(floors[1], 1e-4);
+}
+
 // Judged by the tangential part of origin, which has an exact truth.
 TEST(StabilityTracker, originsLagByTheDisplacement)
 {

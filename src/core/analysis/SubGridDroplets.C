@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "core/analysis/SubGridDroplets.H"
+
+#include "core/analysis/ThinSheets.H"
+#include "core/mesh/SurfaceTopology.H"
+#include "core/reconstruction/VolumeFractions.H"
+#include "boundBox.H"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+constexpr scalar pi = 3.14159265358979323846;
+
+struct Moments
+{
+    scalar volume = 0;  // [m3]
+    vector first{Zero}; // [m4], the volume times its centroid
+};
+
+scalar radiusOf(scalar volume)
+{
+    return std::cbrt(3 * volume / (4 * pi));
+}
+
+// A closed piece of the surface.
+struct Piece
+{
+    bool closed = true;
+    std::vector<label> points;
+    Moments enclosed; // negative volume: a bubble
+    boundBox bounds;
+    scalar cellSize = 0; // [m], mean over the points
+
+    bool bubble() const { return enclosed.volume < 0; }
+};
+
+class DropletSearch
+{
+public:
+    DropletSearch(
+        const InterfaceMesh& mesh, const UList<label>& components,
+        const FlowSnapshot& snapshot
+    )
+        : mesh_(mesh), components_(components), complex_(*snapshot.complex),
+          snapshot_(snapshot)
+    {
+    }
+
+    std::vector<Droplet> run()
+    {
+        gatherPieces();
+        std::vector<Droplet> found;
+        for (std::size_t i = 0; i < pieces_.size(); ++i)
+        {
+            const Piece& piece = pieces_[i];
+            if (mayBeSubGrid(piece))
+            {
+                const Droplet droplet = dropletOf(piece, label(i));
+                if (droplet.radius < thinnestResolved)
+                {
+                    found.push_back(droplet);
+                }
+            }
+        }
+        return found;
+    }
+
+private:
+    // What no fill by alpha makes smaller than the limit need not be filled: an
+    // isosurface encloses too little rather than too much.
+    static bool mayBeSubGrid(const Piece& piece)
+    {
+        constexpr scalar largest = 2 * thinnestResolved;
+        return piece.closed && !piece.points.empty()
+               && radiusOf(mag(piece.enclosed.volume)) < largest * piece.cellSize;
+    }
+
+    void gatherPieces()
+    {
+        label nPieces = 0;
+        for (const label component : components_)
+        {
+            nPieces = std::max(nPieces, component + 1);
+        }
+        pieces_.resize(nPieces);
+        std::vector<char> used(mesh_.points.size(), 0);
+        for (const triFace& t : mesh_.triangles)
+        {
+            used[t[0]] = used[t[1]] = used[t[2]] = 1;
+        }
+        forAll(components_, pointi)
+        {
+            if (used[pointi])
+            {
+                Piece& piece = pieces_[components_[pointi]];
+                piece.points.push_back(pointi);
+                piece.bounds.add(mesh_.points[pointi]);
+                piece.cellSize += mesh_.cellSizes[pointi];
+            }
+        }
+        for (Piece& piece : pieces_)
+        {
+            piece.cellSize /= std::max(piece.points.size(), std::size_t(1));
+        }
+        const SurfaceTopology topology(mesh_.points.size(), mesh_.triangles);
+        for (const SurfaceEdge& edge : topology.edges())
+        {
+            if (edge.nTriangles != 2)
+            {
+                pieces_[components_[edge.a]].closed = false;
+            }
+        }
+        addEnclosed();
+    }
+
+    // Tetrahedra from the first point of each piece, against round-off far from home.
+    void addEnclosed()
+    {
+        for (const triFace& t : mesh_.triangles)
+        {
+            Piece& piece = pieces_[components_[t[0]]];
+            const point& apex = mesh_.points[piece.points[0]];
+            const point &a = mesh_.points[t[0]], &b = mesh_.points[t[1]],
+                        &c = mesh_.points[t[2]];
+            const scalar volume = ((a - apex) & ((b - apex) ^ (c - apex))) / 6;
+            piece.enclosed.volume += volume;
+            piece.enclosed.first += volume * (apex + a + b + c) / 4;
+        }
+    }
+
+    Droplet dropletOf(const Piece& piece, label component)
+    {
+        const std::optional<Moments> filled = fill(piece, component);
+        const Moments moments = filled ? *filled : piece.enclosed;
+        Droplet droplet;
+        droplet.component = component;
+        droplet.bubble = piece.bubble();
+        droplet.fromAlpha = bool(filled);
+        droplet.volume = mag(moments.volume);
+        droplet.radius = radiusOf(droplet.volume) / piece.cellSize;
+        droplet.centroid = mag(moments.volume) > 0 ? moments.first / moments.volume
+                                                   : piece.bounds.midpoint();
+        droplet.nPoints = label(piece.points.size());
+        return droplet;
+    }
+
+    // The share of the piece's material in a cell.
+    scalar share(const Piece& piece, label celli) const
+    {
+        return piece.bubble() ? 1 - fractions_->cells[celli] : fractions_->cells[celli];
+    }
+
+    // Once there is something to fill.
+    void prepareFill()
+    {
+        fractions_.emplace(snapshot_);
+        visits_.assign(complex_.nCells(), -1);
+        homes_.assign(complex_.nCells(), free);
+        forAll(mesh_.points, pointi)
+        {
+            if (mesh_.cells[pointi] < 0)
+            {
+                continue;
+            }
+            label& home = homes_[mesh_.cells[pointi]];
+            const label component = components_[pointi];
+            home = home == free || home == component ? component : shared;
+        }
+    }
+
+    // Nothing where the cells are not those of this piece alone.
+    std::optional<Moments> fill(const Piece& piece, label component)
+    {
+        constexpr scalar least = 1e-3, margin = 3; // [cells]
+        if (!fractions_)
+        {
+            prepareFill();
+        }
+        const vector wide = margin * piece.cellSize * vector(1, 1, 1);
+        const boundBox reach(piece.bounds.min() - wide, piece.bounds.max() + wide);
+        std::vector<label> front;
+        bool alone = true;
+        const auto visit = [&](label celli)
+        {
+            if (visits_[celli] != component && share(piece, celli) > least)
+            {
+                visits_[celli] = component;
+                front.push_back(celli);
+                const label home = homes_[celli];
+                alone = alone && (home == free || home == component)
+                        && reach.contains(complex_.cellCentres()[celli]);
+            }
+        };
+        for (const label pointi : piece.points)
+        {
+            if (mesh_.cells[pointi] >= 0)
+            {
+                visit(mesh_.cells[pointi]);
+            }
+        }
+        Moments sum;
+        for (std::size_t i = 0; alone && i < front.size(); ++i)
+        {
+            const label celli = front[i];
+            const scalar volume = share(piece, celli) * complex_.cellVolumes()[celli];
+            sum.volume += volume;
+            sum.first += volume * complex_.cellCentres()[celli];
+            for (const label facei : complex_.cellFaces()[celli])
+            {
+                if (facei < complex_.nInternalFaces())
+                {
+                    visit(complex_.owner()[facei]);
+                    visit(complex_.neighbour()[facei]);
+                }
+            }
+        }
+        return alone && sum.volume > 0 ? std::optional<Moments>(sum) : std::nullopt;
+    }
+
+    static constexpr label free = -1, shared = -2;
+
+    const InterfaceMesh& mesh_;
+    const UList<label>& components_;
+    const CellComplex& complex_;
+    const FlowSnapshot& snapshot_;
+    std::vector<Piece> pieces_; // per component
+    std::optional<VolumeFractions> fractions_;
+    std::vector<label> homes_;  // per cell: the component of its points
+    std::vector<label> visits_; // per cell: the component that came last
+};
+
+} // namespace
+
+std::vector<std::string> Droplet::columns()
+{
+    return {"Time",      "component", "bubble",    "radius", "volume",
+            "centroidX", "centroidY", "centroidZ", "points", "fromAlpha"};
+}
+
+std::vector<scalar> Droplet::values(scalar time) const
+{
+    return {time,
+            scalar(component),
+            scalar(bubble),
+            radius,
+            volume,
+            centroid.x(),
+            centroid.y(),
+            centroid.z(),
+            scalar(nPoints),
+            scalar(fromAlpha)};
+}
+
+std::vector<Droplet> subGridDroplets(
+    const InterfaceMesh& mesh, const UList<label>& components,
+    const FlowSnapshot& snapshot
+)
+{
+    return DropletSearch(mesh, components, snapshot).run();
+}
+
+List<bool>
+subGridPoints(const UList<label>& components, const std::vector<Droplet>& droplets)
+{
+    List<bool> result(components.size(), false);
+    forAll(components, pointi)
+    {
+        const auto at = std::lower_bound(
+            droplets.begin(), droplets.end(), components[pointi],
+            [](const Droplet& droplet, label component)
+            { return droplet.component < component; }
+        );
+        result[pointi] = at != droplets.end() && at->component == components[pointi];
+    }
+    return result;
+}
+
+} // namespace Foam::stability

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+// What a run says of its own noise, against the error that exact fractions tell.
+
+#include "core/reconstruction/NoiseFloor.H"
+#include "shapes/BoxMesh.H"
+#include "shapes/ExactAlpha.H"
+#include "shapes/Surfaces.H"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace Foam;
+using namespace Foam::stability;
+
+namespace
+{
+
+std::shared_ptr<const CellComplex> cellsOfOne(label n)
+{
+    shapes::BoxOptions options;
+    options.max = point(n, n, n);
+    options.n = Vector<label>(n, n, n);
+    return shapes::box(options);
+}
+
+shapes::Shape torus(const point& centre, const vector& axis, scalar major, scalar minor)
+{
+    const vector a = axis / mag(axis);
+    return [=](const point& x)
+    {
+        const vector d = x - centre;
+        const scalar along = d & a;
+        return std::hypot(mag(d - along * a) - major, along) - minor;
+    };
+}
+
+struct Floors
+{
+    scalar told = 0, truth = 0; // [cells]
+};
+
+Floors floorsOf(
+    label n, const shapes::Shape& shape, const std::string& method,
+    Sharpening sharpening, label nThreads = 2
+)
+{
+    ReconstructionOptions options;
+    options.method = method;
+    options.sharpening = sharpening;
+    options.nThreads = nThreads;
+    const FlowSnapshot snapshot = shapes::snapshotOf(cellsOfOne(n), shape);
+    const auto result = Reconstruction::New(options)->extract(snapshot);
+    scalarField errors(result.mesh.points.size());
+    forAll(errors, pointi)
+    {
+        errors[pointi] = mag(shape(result.mesh.points[pointi]));
+    }
+    return {noiseFloor(result, snapshot, options), noiseQuantile(errors)};
+}
+
+const shapes::Shape ball = shapes::sphere(point(9.137, 8.732, 9.281), 4.8);
+const shapes::Shape ring =
+    torus(point(17.137, 16.732, 17.281), vector(1, 2, 3), 9, 4.8);
+
+} // namespace
+
+TEST(NoiseFloor, ofSharpenedInterfacesIsThatOfTheTruth)
+{
+    const Floors floors[] = {
+        floorsOf(18, ball, "isoAlpha", Sharpening::automatic),
+        floorsOf(34, ring, "isoAlpha", Sharpening::automatic)};
+    for (const Floors& f : floors)
+    {
+        EXPECT_GT(f.told, f.truth / 3);
+        EXPECT_LT(f.told, f.truth * 3);
+        EXPECT_GT(f.truth, 1e-4);
+    }
+}
+
+TEST(NoiseFloor, ofRawInterfacesIsThatOfTheTruth)
+{
+    for (const char* method : {"isoAlpha", "bonnell"})
+    {
+        const Floors f = floorsOf(18, ball, method, Sharpening::none);
+        EXPECT_GT(f.told, 0.1);
+        EXPECT_LT(f.told, 0.6);
+        EXPECT_GT(f.told, f.truth / 3);
+        EXPECT_LT(f.told, f.truth * 3);
+    }
+}
+
+TEST(NoiseFloor, threadsChangeNothing)
+{
+    EXPECT_EQ(
+        floorsOf(18, ball, "isoAlpha", Sharpening::none, 1).told,
+        floorsOf(18, ball, "isoAlpha", Sharpening::none, 4).told
+    );
+}
+
+TEST(NoiseFloor, quantilesLeaveOneInAThousandOut)
+{
+    scalarField values(2000);
+    forAll(values, i)
+    {
+        values[i] = 2000 - i;
+    }
+    EXPECT_EQ(noiseQuantile(values), 1998);
+    values.setSize(1001);
+    EXPECT_EQ(noiseQuantile(values), 2000);
+    EXPECT_EQ(noiseQuantile(scalarField(1, 0.7)), 0.7);
+    EXPECT_EQ(noiseQuantile(scalarField()), 0);
+}
+
+// Three of 2000 points stay.
+TEST(NoiseFloor, pointsThatStayAreAFifthOfACellOff)
+{
+    scalarField spread(2000, 0.01);
+    spread[0] = 0.5;
+    spread[3] = spread[1200] = spread[1999] = -1;
+    EXPECT_EQ(spreadFloor(spread), 0.2);
+    spread[3] = spread[1200] = 0.01;
+    EXPECT_EQ(spreadFloor(spread), 0.01);
+}
+
+// Half a metre apart, in cells of 0.4 and, at one point, of 0.1 m: farther than 3
+// cells.
+TEST(NoiseFloor, differencesAreInCellsUpToThree)
+{
+    const auto plane = [](scalar height)
+    {
+        return shapes::asInterface(
+            shapes::grid(
+                [=](scalar u, scalar v) { return point(4 * u, 4 * v, height); }, 6, 6
+            ),
+            0.4
+        );
+    };
+    InterfaceMesh mesh(plane(0));
+    EXPECT_NEAR(differenceFloor(mesh, plane(0.5), 1), 1.25, 1e-12);
+    EXPECT_EQ(differenceFloor(mesh, plane(1.3), 1), 3);
+    EXPECT_EQ(differenceFloor(mesh, InterfaceMesh(), 1), 3);
+    mesh.cellSizes[20] = 0.1;
+    EXPECT_EQ(differenceFloor(mesh, plane(0.5), 1), 3);
+}
+
+TEST(NoiseFloor, withoutAnInterfaceThereIsNone)
+{
+    const shapes::Shape nowhere = [](const point&) { return 1.0; };
+    EXPECT_EQ(floorsOf(6, nowhere, "isoAlpha", Sharpening::none).told, 0);
+    EXPECT_EQ(floorsOf(6, nowhere, "isoAlpha", Sharpening::automatic).told, 0);
+}
