@@ -14,7 +14,7 @@ namespace
 {
 
 // A triangle whose normal is +z: the first fluid lies below.
-InterfaceMesh triangle()
+InterfaceMesh oneTriangle()
 {
     InterfaceMesh mesh;
     mesh.points = List<point>{point(0, 0, 0.5), point(1, 0, 0.5), point(0, 1, 0.5)};
@@ -43,7 +43,7 @@ List<Match> matches(const InterfaceMesh& mesh)
 
 scalarField speeds(Stability unmatched, scalar interval)
 {
-    const InterfaceMesh mesh(triangle());
+    const InterfaceMesh mesh(oneTriangle());
     const auto complex = shapes::unitCube(2);
     return describe(mesh, matches(mesh), unmatched, *complex, interval).driftSpeed;
 }
@@ -70,7 +70,7 @@ TEST(ClassifiedSurface, driftIsCappedAsTheDistanceIs)
 // Cells of 0.1 m and an epsilon of half a cell: 0.3, 0.1 and 2.5 cells from the edge.
 TEST(ClassifiedSurface, confidenceIsTheWayToEpsilonInFloors)
 {
-    const InterfaceMesh mesh(triangle());
+    const InterfaceMesh mesh(oneTriangle());
     const ClassifiedSurface surface(
         describe(mesh, matches(mesh), Stability::detached, *shapes::unitCube(2), 0.25)
     );
@@ -85,7 +85,7 @@ TEST(ClassifiedSurface, confidenceIsTheWayToEpsilonInFloors)
 
 TEST(ClassifiedSurface, confidenceEndsAtAThousand)
 {
-    const InterfaceMesh mesh(triangle());
+    const InterfaceMesh mesh(oneTriangle());
     const ClassifiedSurface surface(
         describe(mesh, matches(mesh), Stability::detached, *shapes::unitCube(2), 0.25)
     );
