@@ -163,17 +163,24 @@ TEST(StabilityTracker, whatVanishesIsSplitByWallsThinAndResolved)
             shapes::sphere(speck, 1.2 * h), shapes::sphere(point(1, 0.8, 0.8), 3.3 * h)
         )
     );
+    const Snapshot wet = snapshot(complex, water, Zero, 0);
+    const auto at = [&](scalar time)
+    {
+        FlowSnapshot later(*wet);
+        later.time = time;
+        return std::make_shared<const FlowSnapshot>(std::move(later));
+    };
     for (const label nRests : {0, 1})
     {
         const SerialExchange exchange;
         TrackerOptions sharp = options();
         sharp.reconstruction.sharpening = Sharpening::automatic;
         StabilityTracker tracker(sharp, exchange);
-        tracker.start(snapshot(complex, water, Zero, 0));
+        tracker.start(wet);
         for (label i = 0; i < nRests; ++i)
         {
             EXPECT_EQ(tracker.classify().droplets.size(), 1u);
-            tracker.advance(snapshot(complex, water, Zero, i + 1));
+            tracker.advance(at(i + 1));
         }
         const Classification& before = tracker.classify();
         ASSERT_EQ(before.droplets.size(), 1u);
@@ -194,8 +201,13 @@ TEST(StabilityTracker, whatVanishesIsSplitByWallsThinAndResolved)
             after.timeSurface.mesh.area(), 1e-12
         );
         EXPECT_GT(s.detachedNearWall, 0.1);
-        EXPECT_NEAR(s.detachedResolved, 4 * M_PI * sqr(4.2 * h), 0.01);
-        EXPECT_NEAR(s.detachedThin, 2 * sqr(22 * h) + 4 * M_PI * sqr(1.2 * h), 0.1);
+        // The free ball, and of the other what is a cell away from its wall. A sheet of
+        // 0.8 cells is not smooth: it has up to a third too much area.
+        const scalar balls = 4 * M_PI * sqr(4.2 * h) + 2 * M_PI * 3.3 * 2.3 * sqr(h);
+        EXPECT_NEAR(s.detachedResolved, balls, 0.2 * balls);
+        const scalar thin = 2 * sqr(22 * h) + 4 * M_PI * sqr(1.2 * h);
+        EXPECT_GT(s.detachedThin, 0.95 * thin);
+        EXPECT_LT(s.detachedThin, 1.33 * thin);
     }
 }
 
