@@ -4,28 +4,21 @@
 #include "core/reconstruction/Reconstruction.H"
 #include "core/Errors.H"
 #include "core/reconstruction/BonnellDual.H"
-#include "core/reconstruction/GivenInterface.H"
 #include "core/reconstruction/InterfaceSmoothing.H"
 #include "core/reconstruction/IsoAlpha.H"
 #include "core/reconstruction/MarchingTets.H"
-#include "core/reconstruction/PlicPolygons.H"
-
-#include <algorithm>
 
 namespace Foam::stability
 {
 
 const std::vector<std::string>& Reconstruction::names()
 {
-    static const std::vector<std::string> all{
-        "isoAlpha", "bonnell", "plic", "fromFiles"};
+    static const std::vector<std::string> all{"isoAlpha", "bonnell"};
     return all;
 }
 
-namespace
-{
-
-void checkOptions(const ReconstructionOptions& options)
+std::unique_ptr<Reconstruction> Reconstruction::New(const ReconstructionOptions& options
+)
 {
     if (options.smooth < 0)
     {
@@ -34,56 +27,28 @@ void checkOptions(const ReconstructionOptions& options)
             + std::to_string(options.smooth) + "."
         );
     }
-    if (options.smooth > 0 && !Reconstruction::canSmooth(options.method))
+    if (options.method == "isoAlpha")
     {
-        throw BadInput(
-            "Smoothing (smooth) is not for the reconstruction " + options.method + "."
-        );
+        return std::make_unique<IsoAlpha>(options);
     }
-    if (options.sharpening != Sharpening::none && options.method != "isoAlpha")
+    if (options.method == "bonnell")
     {
-        throw BadInput(
-            "Sharpening is for the reconstruction isoAlpha, not " + options.method + "."
-        );
+        if (options.sharpening != Sharpening::none)
+        {
+            throw BadInput("Sharpening is for the reconstruction isoAlpha, not bonnell."
+            );
+        }
+        return std::make_unique<BonnellDual>(options);
     }
-}
-
-} // namespace
-
-bool Reconstruction::canSmooth(const std::string& method)
-{
-    return method == "isoAlpha" || method == "bonnell";
-}
-
-std::unique_ptr<Reconstruction> Reconstruction::New(const ReconstructionOptions& options
-)
-{
     std::string known;
     for (const std::string& name : names())
     {
         known += (known.empty() ? "" : ", ") + name;
     }
-    if (std::find(names().begin(), names().end(), options.method) == names().end())
-    {
-        throw BadInput(
-            "The reconstruction \"" + options.method + "\" is unknown; known are "
-            + known + "."
-        );
-    }
-    checkOptions(options);
-    if (options.method == "bonnell")
-    {
-        return std::make_unique<BonnellDual>(options);
-    }
-    if (options.method == "plic")
-    {
-        return std::make_unique<PlicPolygons>(options);
-    }
-    if (options.method == "fromFiles")
-    {
-        return std::make_unique<GivenInterface>();
-    }
-    return std::make_unique<IsoAlpha>(options);
+    throw BadInput(
+        "The reconstruction \"" + options.method + "\" is unknown; known are " + known
+        + "."
+    );
 }
 
 ReconstructionResult Reconstruction::finish(

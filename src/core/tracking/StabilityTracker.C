@@ -277,7 +277,6 @@ void StabilityTracker::takeStock(const ReconstructionResult& extracted)
     statistics.time = latest_->time;
     statistics.interval = latest_->time - lastClassified_;
     statistics.volumeError = extracted.volumeError();
-    result_.nFailedCells = extracted.nFailed;
     statistics.nParticles = particles_.size();
     statistics.nMerged = result_.transfer.nMerged;
     statistics.nSplit = result_.transfer.nSplit;
