@@ -81,7 +81,10 @@ private:
                 fit.size = spanOf(complex_, celli);
                 const vector g =
                     gradientOver(complex_, stencil.rings(celli, 1), alpha_, fit.size);
-                fit.normal = g / std::max(mag(g), scalar(VSMALL));
+                constexpr scalar roundOff = 1e-9; // of a gradient that is none
+                const scalar length = mag(g);
+                fit.normal =
+                    length * fit.size > roundOff ? vector(g / length) : vector(Zero);
                 result_.fits.append(fit);
                 result_.planes.append(PlicPlane());
             }
