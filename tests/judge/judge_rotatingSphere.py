@@ -134,8 +134,12 @@ def judge_rotation(run, options, verdict):
     if options.largest:
         verdict.at_most("largest error of origin, any step [cells]", largest_origin, options.largest)
         verdict.at_most(
-            "largest error of p, any step [cells]", largest_p, options.p_largest or options.largest
+            "largest error of p after the turn [cells]",
+            errors.p_max,
+            options.p_largest or options.largest,
         )
+        # At single vertices of a seam, now and then.
+        verdict.at_most("largest error of p, any step [cells]", largest_p, 0.5)
     if options.quarter:
         # Most of the noise of the surface is smaller than a quarter of a cell.
         survival = run.table("survival.dat")

@@ -50,6 +50,21 @@ closestOnEdges(const point& x, const point& a, const point& b, const point& c)
 } // namespace
 
 // Ericson, Real-Time Collision Detection (2005), section 5.1.5.
+FixedList<scalar, 3>
+planeWeights(const point& x, const point& a, const point& b, const point& c)
+{
+    const vector n = (b - a) ^ (c - a);
+    const scalar n2 = magSqr(n);
+    FixedList<scalar, 3> weights(1.0 / 3.0);
+    if (n2 > VSMALL)
+    {
+        weights[1] = (((x - a) ^ (c - a)) & n) / n2;
+        weights[2] = (((b - a) ^ (x - a)) & n) / n2;
+        weights[0] = 1 - weights[1] - weights[2];
+    }
+    return weights;
+}
+
 SurfacePoint
 closestPoint(const point& x, const point& a, const point& b, const point& c)
 {

@@ -38,6 +38,23 @@ label rootOf(labelList& parents, label i)
 
 } // namespace
 
+Rows trianglesAtPoints(label nPoints, const UList<triFace>& triangles)
+{
+    return Rows(
+        nPoints,
+        [&](auto&& add)
+        {
+            forAll(triangles, trianglei)
+            {
+                for (const label pointi : triangles[trianglei])
+                {
+                    add(pointi, trianglei);
+                }
+            }
+        }
+    );
+}
+
 SurfaceTopology::SurfaceTopology(label nPoints, const UList<triFace>& triangles)
     : triangleEdges_(triangles.size()), components_(triangles.size(), -1)
 {

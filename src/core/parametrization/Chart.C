@@ -5,6 +5,7 @@
 
 #include "core/Errors.H"
 #include "core/parametrization/EdgePaths.H"
+#include "core/parametrization/SeamStraightening.H"
 #include "core/parametrization/SmallestBox.H"
 #include "DynamicList.H"
 
@@ -205,22 +206,24 @@ void giveAreaOf(const PlainSurface& surface, Chart& chart)
 
 } // namespace
 
-Chart makeChart(const PlainSurface& surface, const Flattening& method)
+Chart makeChart(const PlainSurface& given, const Flattening& method)
 {
     Chart chart;
+    PlainSurface surface(given);
     try
     {
         const DiskCut shortest(surface);
+        const bool uncut =
+            considerUncut(chart, surface, method) && chart.areaRatio <= fineAreaRatio;
+        if (!uncut)
+        {
+            straightenSeams(surface, shortest.seams());
+        }
         DiskCut cut(shortest);
-        for (label further = 0;; ++further)
+        for (label further = 0; !uncut; ++further)
         {
             const PlainSurface disk = cut.disk();
             consider(chart, cut, disk, method);
-            if (further == 0
-                && !(chart.areaRatio > 0 && chart.areaRatio <= fineAreaRatio))
-            {
-                considerUncut(chart, surface, method);
-            }
             const bool good =
                 !chart.parameters.empty() && chart.areaRatio <= tolerableAreaRatio;
             const label inside = good ? -1 : innermost(disk);
@@ -242,6 +245,7 @@ Chart makeChart(const PlainSurface& surface, const Flattening& method)
     {
         chart.fallback = true;
     }
+    chart.points = surface.points;
     if (!chart.parameters.empty())
     {
         turnIntoSmallestBox(chart.parameters);

@@ -234,14 +234,19 @@ bool DiskCut::extendTo(label pointi)
     return true;
 }
 
-label DiskCut::nSeamEdges() const
+List<labelPair> DiskCut::seams() const
 {
-    label n = 0;
+    DynamicList<labelPair> seams;
     forAll(cut_, edgei)
     {
-        n += cut_[edgei] && !border_[edgei];
+        if (cut_[edgei] && !border_[edgei])
+        {
+            seams.append(
+                labelPair(topology_.edges()[edgei].a, topology_.edges()[edgei].b)
+            );
+        }
     }
-    return n;
+    return List<labelPair>(std::move(seams));
 }
 
 PlainSurface DiskCut::disk() const

@@ -141,6 +141,7 @@ parametrize(const InterfaceMesh& mesh, const ParametrizationOptions& options)
             patches[i].surface, options.edgeLength * meanCellSize(mesh, patches[i])
         );
         piece.chart = makeChart(piece.copy.surface, *method);
+        piece.copy.surface.points = piece.chart.points;
         charts[i] = piece.chart.parameters;
 
         result.nCharts += !piece.chart.parameters.empty();

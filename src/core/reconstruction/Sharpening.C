@@ -3,6 +3,7 @@
 
 #include "core/reconstruction/Sharpening.H"
 
+#include "core/mesh/SurfaceTopology.H"
 #include "core/mesh/Rows.H"
 #include "core/reconstruction/CellStencil.H"
 #include "core/reconstruction/InterfaceMotion.H"
@@ -204,27 +205,11 @@ private:
             }
             if (sweep == 0)
             {
-                pointTriangles = trianglesAtPoints();
+                pointTriangles =
+                    trianglesAtPoints(mesh_.points.size(), mesh_.triangles);
             }
             spread(folded, pointTriangles);
         }
-    }
-
-    Rows trianglesAtPoints() const
-    {
-        return Rows(
-            mesh_.points.size(),
-            [&](auto&& add)
-            {
-                forAll(mesh_.triangles, trianglei)
-                {
-                    for (const label pointi : mesh_.triangles[trianglei])
-                    {
-                        add(pointi, trianglei);
-                    }
-                }
-            }
-        );
     }
 
     // To the middle of the neighbours, along the surface, all at once.

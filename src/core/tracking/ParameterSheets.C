@@ -25,22 +25,6 @@ label cornerOf(const triFace& t, label pointi)
     return t[0] == pointi ? 0 : t[1] == pointi ? 1 : 2;
 }
 
-// Barycentric weights of the foot of x on the plane of (a, b, c).
-FixedList<scalar, 3>
-planeWeights(const point& x, const point& a, const point& b, const point& c)
-{
-    const vector n = (b - a) ^ (c - a);
-    const scalar n2 = magSqr(n);
-    FixedList<scalar, 3> weights(1.0 / 3.0);
-    if (n2 > VSMALL)
-    {
-        weights[1] = (((x - a) ^ (c - a)) & n) / n2;
-        weights[2] = (((b - a) ^ (x - a)) & n) / n2;
-        weights[0] = 1 - weights[1] - weights[2];
-    }
-    return weights;
-}
-
 // Marks that are forgotten at once: the visited triangles of one walk.
 class Marks
 {
@@ -71,19 +55,7 @@ private:
 
 ParameterSheets::ParameterSheets(const MatchTarget& target)
     : target_(target), mesh_(target.mesh()),
-      pointTriangles_(
-          mesh_.points.size(),
-          [&](auto&& add)
-          {
-              forAll(mesh_.triangles, trianglei)
-              {
-                  for (const label pointi : mesh_.triangles[trianglei])
-                  {
-                      add(pointi, trianglei);
-                  }
-              }
-          }
-      ),
+      pointTriangles_(trianglesAtPoints(mesh_.points.size(), mesh_.triangles)),
       passages_(findPassages()), seams_(findSeams()),
       seamLocator_(mesh_.points, seams_, 0.5 * mesh_.meanCellSize()),
       nodes_(findNodes()), scale_(meanScale()),

@@ -11,9 +11,8 @@ namespace Foam::stability
 {
 
 SeamCuts::SeamCuts(
-    const InterfaceMesh& mesh, const List<Match>& matches,
-    const ParameterSheets& sheets, const SeamBisection& bisection,
-    const TransferOptions& options
+    const InterfaceMesh& mesh, const List<Match>& matches, const List<SeamNode>& nodes,
+    const SeamBisection& bisection, const TransferOptions& options
 )
     : bisection_(bisection), options_(options), vertices_(mesh.points.size()),
       triangles_(mesh.triangles.begin(), mesh.triangles.end()),
@@ -24,7 +23,7 @@ SeamCuts::SeamCuts(
     setVertices(mesh, matches);
     if (options.seamTreatment)
     {
-        insertNodes(mesh, sheets.nodes());
+        insertNodes(mesh, nodes);
         traceAll();
     }
 }

@@ -10,11 +10,11 @@ namespace Foam::stability
 
 SeamTreatment::SeamTreatment(
     InterfaceMesh& mesh, List<Match>& matches, const MatchTarget& target,
-    const TransferOptions& options
+    const CarriedOrigins& origins, const TransferOptions& options
 )
-    : mesh_(mesh), matches_(matches), options_(options), sheets_(target),
-      bisection_(target, sheets_, options),
-      cuts_(mesh, matches, sheets_, bisection_, options)
+    : mesh_(mesh), matches_(matches), origins_(origins), options_(options),
+      sheets_(target), bisection_(target, sheets_, options),
+      cuts_(mesh, matches, origins.settled(sheets_.nodes()), bisection_, options)
 {
 }
 
@@ -99,20 +99,22 @@ void SeamTreatment::placeCuts()
     for (const auto& [edge, crossed] : cuts_.edges())
     {
         const SeamEvent& event = crossed.events.front();
+        const scalar share =
+            origins_.seamShare(seen(edge.first), seen(edge.second), event, bisection_);
         Cut& cut = placed_[edge];
-        if (event.at < options_.snap)
+        if (share < options_.snap)
         {
             cut.point = edge.first;
         }
-        else if (event.at > 1 - options_.snap)
+        else if (share > 1 - options_.snap)
         {
             cut.point = edge.second;
         }
         else
         {
             cut.point = cuts_.addVertex(
-                bisection_.between(seen(edge.first), seen(edge.second), event.at), edge,
-                event.at, crossed.boundary
+                bisection_.between(seen(edge.first), seen(edge.second), share), edge,
+                share, crossed.boundary
             );
         }
         const point x = seen(cut.point).x;

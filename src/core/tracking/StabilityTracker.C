@@ -190,6 +190,7 @@ void StabilityTracker::startSurface(const InterfaceMesh& mesh)
     }
     InterfaceMesh& surface = result_.parametrization->surface;
     findCells(surface);
+    chart_ = StartChart(surface);
     seedPathlines(surface, smallScales(surface));
     parametrized_ = true;
 }
@@ -233,7 +234,8 @@ void StabilityTracker::compare(const InterfaceMesh& extracted)
     }
     {
         Stopwatch watch(timings_.transfer);
-        result_.transfer = transfer(mesh, onInterface, target, options_.transfer);
+        result_.transfer =
+            transfer(mesh, onInterface, target, options_.transfer, chart_);
     }
     const CellComplex& complex = *latest_->complex;
     const scalar interval = latest_->time - lastClassified_;

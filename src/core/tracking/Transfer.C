@@ -13,25 +13,17 @@ namespace
 
 // The origin has no seams. What is attached starts here.
 void carryOrigins(
-    InterfaceMesh& mesh, const List<Match>& matches, const InterfaceMesh& source
+    InterfaceMesh& mesh, const List<Match>& matches, const CarriedOrigins& origins,
+    const SeamTreatment& treatment
 )
 {
-    const SurfaceInterpolation<vector> interpolation(
-        source, source.origins,
-        [&](label trianglei, label k) { return source.triangles[trianglei][k]; }
-    );
     mesh.origins.setSize(mesh.points.size());
     forAll(mesh.points, pointi)
     {
-        mesh.origins[pointi] = mesh.points[pointi];
-        if (matches[pointi].stable)
-        {
-            const SurfacePoint& x = matches[pointi].nearest;
-            const triFace& t = source.triangles[x.triangle];
-            mesh.origins[pointi] = interpolation.at(
-                x.triangle, CornerIndices{t[0], t[1], t[2]}, x.weights
-            );
-        }
+        mesh.origins[pointi] =
+            matches[pointi].stable
+                ? origins.at(matches[pointi], treatment.source(pointi))
+                : mesh.points[pointi];
     }
 }
 
@@ -39,11 +31,14 @@ void carryOrigins(
 
 TransferResult transfer(
     InterfaceMesh& mesh, List<Match>& matches, const MatchTarget& target,
-    const TransferOptions& options
+    const TransferOptions& options, const StartChart& chart
 )
 {
-    const TransferResult result = SeamTreatment(mesh, matches, target, options).run();
-    carryOrigins(mesh, matches, target.mesh());
+    const CarriedOrigins origins(target, chart);
+    SeamTreatment treatment(mesh, matches, target, origins, options);
+    const TransferResult result = treatment.run();
+    carryOrigins(mesh, matches, origins, treatment);
+    chart.readOff(mesh);
     return result;
 }
 

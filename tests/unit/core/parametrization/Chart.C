@@ -41,7 +41,7 @@ void expectOneToOne(const PlainSurface& surface, const Chart& chart)
     {
         const List<vector2D>& p = chart.parameters;
         const triFace& t = triangles[i];
-        onSurface += surface.triangles[i].mag(surface.points);
+        onSurface += surface.triangles[i].mag(chart.points);
         inChart += 0.5 * (p[t[1]] - p[t[0]]).perp(p[t[2]] - p[t[0]]);
     }
     EXPECT_NEAR(inChart / onSurface, 1, 1e-9);
@@ -167,7 +167,7 @@ TEST(Chart, CutsFurtherWhereTheChartShrinks)
         }
     }
     finger.triangles = triangles;
-    ASSERT_EQ(DiskCut(finger).nSeamEdges(), 0);
+    ASSERT_EQ(DiskCut(finger).seams().size(), 0);
 
     const Chart chart = makeChart(finger, *Flattening::New("lscm"));
     EXPECT_FALSE(chart.fallback);

@@ -65,8 +65,8 @@ TEST(DiskCut, MakesADiskOfAnyTopology)
         EXPECT_TRUE(after.isDisk());
         EXPECT_EQ(after.euler, 1);
         EXPECT_EQ(after.nLoops, 1);
-        EXPECT_EQ(cut.nSeamEdges() > 0, c.needsCut);
-        EXPECT_NE(cut.nSeamEdges(), 1);
+        EXPECT_EQ(cut.seams().size() > 0, c.needsCut);
+        EXPECT_NE(cut.seams().size(), 1);
     }
 }
 
@@ -92,7 +92,7 @@ TEST(DiskCut, KeepsTriangles)
     // Both sides of each seam edge are edges of the boundary.
     const List<labelList> loops =
         boundaryLoops(cut.disk().points.size(), cut.disk().triangles);
-    EXPECT_EQ(loops[0].size(), 2 * cut.nSeamEdges());
+    EXPECT_EQ(loops[0].size(), 2 * cut.seams().size());
 }
 
 // From pole to pole, as far as the surface is long, and two branches to what is then
@@ -126,7 +126,7 @@ TEST(DiskCut, OpensATetrahedron)
         {triFace(0, 2, 1), triFace(0, 1, 3), triFace(1, 2, 3), triFace(0, 3, 2)}
     );
     const DiskCut cut(surface);
-    EXPECT_EQ(cut.nSeamEdges(), 3);
+    EXPECT_EQ(cut.seams().size(), 3);
     EXPECT_EQ(cut.disk().points.size(), 6);
 }
 
@@ -168,7 +168,7 @@ TEST(DiskCut, TreatsAMobiusBandAsOpen)
     ASSERT_GT(nWelded, 0);
     const DiskCut cut(surface);
     EXPECT_TRUE(shapeOf(cut.disk().points.size(), cut.disk().triangles).isDisk());
-    EXPECT_EQ(cut.nSeamEdges(), 0);
+    EXPECT_EQ(cut.seams().size(), 0);
 }
 
 TEST(DiskCut, ExtendsToAPoint)
@@ -181,9 +181,9 @@ TEST(DiskCut, ExtendsToAPoint)
     }
     DiskCut cut(surface);
     EXPECT_TRUE(cut.extendTo(top));
-    EXPECT_GE(cut.nSeamEdges(), 5);
+    EXPECT_GE(cut.seams().size(), 5);
     EXPECT_TRUE(shapeOf(cut.disk().points.size(), cut.disk().triangles).isDisk());
-    EXPECT_EQ(cut.disk().points.size(), surface.points.size() + cut.nSeamEdges());
+    EXPECT_EQ(cut.disk().points.size(), surface.points.size() + cut.seams().size());
     EXPECT_FALSE(cut.extendTo(top));
 }
 
