@@ -10,10 +10,12 @@ import numpy as np
 from results import Run, Verdict
 
 
-def stable_share(t):
-    """By area, of what did not leave the domain."""
+def stable_share(t, margin):
+    """By area, of what did not leave the domain, the unit cube, and is this far inside."""
+    inside = np.all((t.points >= margin) & (t.points <= 1 - margin), axis=1)
+    inside &= t["stability"] != 3
     areas = t.point_areas()
-    return areas[t["stability"] == 0].sum() / areas[t["stability"] != 3].sum()
+    return areas[inside & (t["stability"] == 0)].sum() / areas[inside].sum()
 
 
 def main():
@@ -21,6 +23,7 @@ def main():
     parser.add_argument("case")
     parser.add_argument("--stable-at-least", type=float, default=0)
     parser.add_argument("--stable-at-most", type=float, default=1)
+    parser.add_argument("--margin", type=float, default=0, help="from the sides, left out [m]")
     parser.add_argument("--drift", type=float, help="median of driftSpeed on M and T [m/s]")
     parser.add_argument("--within", type=float, default=0.01, help="of the drift, relative")
     options = parser.parse_args()
@@ -30,7 +33,7 @@ def main():
     for index in range(1, len(run)):
         t = run.surface("timeSurface", index)
         distance = t["distance"][t["stability"] != 3]
-        shares.append(stable_share(t))
+        shares.append(stable_share(t, options.margin))
         print(
             f"  step {index}: stable share of T {shares[-1]:.5f}, "
             f"distance {distance.min():.6g} to {distance.max():.6g} m"

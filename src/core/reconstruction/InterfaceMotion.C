@@ -83,14 +83,15 @@ void keepOnWall(
 )
 {
     constexpr label maxHalvings = 3;
-    for (label i = 0; i < maxHalvings && faceUnder(complex, walls, x + move) < 0; ++i)
+    for (label i = 0; i <= maxHalvings; ++i)
     {
+        if (faceUnder(complex, walls, x + move) >= 0)
+        {
+            return;
+        }
         move *= 0.5;
     }
-    if (faceUnder(complex, walls, x + move) < 0)
-    {
-        move = Zero;
-    }
+    move = Zero;
 }
 
 } // namespace

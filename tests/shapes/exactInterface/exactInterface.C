@@ -18,7 +18,7 @@ Usage
         shape          | sphere or plane                       | yes  |
         centre         | of the sphere, a point of the plane   | yes  |
         radius         | of the sphere [m]                     | sphere only |
-        normal         | of the plane: along a coordinate axis | plane only  |
+        normal         | of the plane                          | plane only  |
         axis           | of the body's rotation                | no | (0 0 1)
         through        | a point of that axis                  | no | (0 0 0)
         period         | of one revolution [s]; 0: none        | no | 0
@@ -27,7 +27,7 @@ Usage
         drift          | and faster along the normal by [m/s]  | no | 0
     \endtable
     The body lies at \c centre at time 0 and is filled with water (alpha.water = 1);
-    a plane is filled on the side that the normal leaves.
+    a plane is filled on the side that the normal leaves; its cells are boxes.
 */
 
 #include "fvCFD.H"
@@ -65,12 +65,6 @@ public:
     {
         const scalar period = dict.lookupOrDefault<scalar>("period", 0);
         angularSpeed_ = period > 0 ? constant::mathematical::twoPi / period : 0;
-        if (shape_ == Shape::plane
-            && max(cmptMag(normal_)) < (1 - SMALL) * mag(normal_))
-        {
-            FatalIOErrorInFunction(dict)
-                << "normal must lie along a coordinate axis" << exit(FatalIOError);
-        }
         if (shape_ == Shape::plane)
         {
             normal_.normalise();
@@ -132,17 +126,52 @@ private:
         scalarField fractions(mesh.nCells());
         forAll(fractions, celli)
         {
-            scalar low = GREAT;
-            scalar high = -GREAT;
-            for (const label pointi : mesh.cellPoints()[celli])
-            {
-                const scalar height = normal_ & (mesh.points()[pointi] - on);
-                low = std::min(low, height);
-                high = std::max(high, height);
-            }
-            fractions[celli] = std::clamp(low / (low - high), 0.0, 1.0);
+            const boundBox box(mesh.points(), mesh.cellPoints()[celli], false);
+            fractions[celli] = boxFraction(box, on);
         }
         return fractions;
+    }
+
+    // What lies behind the plane of a box, as the alternating sum over its corners of
+    // the corner cut off beyond each (Scardovelli and Zaleski, J. Comp. Phys. 164).
+    scalar boxFraction(const boundBox& box, const point& on) const
+    {
+        scalar lowest = normal_ & (box.min() - on);
+        scalar widest = 0;
+        FixedList<scalar, 3> widths; // of the box, along the normal
+        for (direction d = 0; d < 3; ++d)
+        {
+            const scalar width = normal_[d] * box.span()[d];
+            lowest += std::min(width, scalar(0));
+            widths[d] = mag(width);
+            widest = std::max(widest, widths[d]);
+        }
+        scalar sum = 0, product = 1;
+        label dimensions = 0;
+        for (const scalar width : widths)
+        {
+            const bool counts = width > 1e-9 * widest;
+            product *= counts ? width : 1;
+            dimensions += counts;
+        }
+        for (label corner = 0; corner < 8; ++corner)
+        {
+            scalar depth = -lowest;
+            bool counts = true;
+            label sign = 1;
+            for (direction d = 0; d < 3; ++d)
+            {
+                if (corner & (1 << d))
+                {
+                    counts = counts && widths[d] > 1e-9 * widest;
+                    depth -= widths[d];
+                    sign = -sign;
+                }
+            }
+            sum += counts && depth > 0 ? sign * std::pow(depth, dimensions) : 0;
+        }
+        constexpr label factorial[] = {1, 1, 2, 6};
+        return std::clamp(sum / (factorial[dimensions] * product), 0.0, 1.0);
     }
 
     Shape shape_;
