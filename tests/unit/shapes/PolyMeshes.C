@@ -2,8 +2,11 @@
 // Part of interfaceStability, an extension of OpenFOAM.
 
 #include "shapes/PolyMeshes.H"
+#include "shapes/DualMesh.H"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 using namespace Foam;
 using namespace Foam::stability;
@@ -75,4 +78,25 @@ TEST(PolyMeshes, refinedBoxIsSoundAndHasPolyhedra)
     }
     EXPECT_GT(mostFaces, 6);
     EXPECT_GT(mostCorners, 4);
+}
+
+TEST(PolyMeshes, dualBoxIsSoundAndOfPolyhedra)
+{
+    const CellComplex complex(shapes::dualBox(oblongBox()));
+    expectSound(complex);
+    EXPECT_EQ(complex.nCells(), 6 * 4 * 7); // the points of the tetrahedra
+    label nInside = 0;
+    scalar nFaces = 0;
+    for (label celli = 0; celli < complex.nCells(); ++celli)
+    {
+        const UList<label> faces = complex.cellFaces()[celli];
+        const bool inside = std::all_of(
+            faces.begin(), faces.end(),
+            [&](label facei) { return facei < complex.nInternalFaces(); }
+        );
+        nInside += inside;
+        nFaces += inside * faces.size();
+    }
+    EXPECT_EQ(nInside, 4 * 2 * 5);
+    EXPECT_EQ(nFaces / nInside, 14); // edges at a point of Kuhn's tetrahedra
 }
