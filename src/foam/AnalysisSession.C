@@ -52,7 +52,8 @@ AnalysisSession::AnalysisSession(
 )
     : mesh_(mesh), controls_(controls), name_(name),
       fields_(mesh, controls.alpha, controls.U),
-      flux_(mesh, controls.phi, controls.velocity), snapshots_(mesh),
+      flux_(mesh, controls.phi, controls.velocity),
+      surfaces_(mesh.time(), controls.files), snapshots_(mesh),
       tracker_(controls.tracker, exchange_)
 {
 }
@@ -69,6 +70,7 @@ void AnalysisSession::expect(const instantList& times)
     }
     fields_.require(times);
     flux_.choose(times);
+    surfaces_.require(times);
     progress_.expect(times.size());
 }
 
@@ -96,6 +98,17 @@ void AnalysisSession::chooseVelocity()
 std::shared_ptr<const FlowSnapshot> AnalysisSession::takeSnapshot()
 {
     const Busy busy(readingSeconds_);
+    std::shared_ptr<FlowSnapshot> snapshot(takeFields());
+    if (surfaces_.expected())
+    {
+        snapshot->surface = surfaces_.read(mesh_.time().timeName(), nTaken_);
+    }
+    ++nTaken_;
+    return snapshot;
+}
+
+std::shared_ptr<FlowSnapshot> AnalysisSession::takeFields()
+{
     const std::string missing = fields_.missing();
     if (!missing.empty())
     {

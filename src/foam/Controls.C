@@ -44,10 +44,25 @@ const Enum<OnError> onErrorNames({
 });
 
 const wordList ownEntries{
-    "alpha",          "U",          "phi",           "velocity",     "region",
-    "reconstruction", "sharpening", "smooth",        "epsilon",      "epsilonAbsolute",
-    "merge",          "normalGate", "seamTreatment", "wallVelocity", "tolerance",
-    "maxParticles",   "flattening", "nThreads"};
+    "alpha",
+    "U",
+    "phi",
+    "velocity",
+    "region",
+    "reconstruction",
+    "files",
+    "sharpening",
+    "smooth",
+    "epsilon",
+    "epsilonAbsolute",
+    "merge",
+    "normalGate",
+    "seamTreatment",
+    "wallVelocity",
+    "tolerance",
+    "maxParticles",
+    "flattening",
+    "nThreads"};
 
 // What OpenFOAM itself reads from the dictionary of any function object.
 const wordList functionObjectEntries{
@@ -260,22 +275,66 @@ Sharpening readSharpening(const dictionary& dict, const ReconstructionOptions& o
     return Sharpening(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
-TrackerOptions readTrackerOptions(const dictionary& dict)
+ReconstructionOptions readReconstruction(const dictionary& dict, Shell shell)
+{
+    ReconstructionOptions options;
+    std::vector<std::string> names = Reconstruction::names();
+    if (shell == Shell::functionObject)
+    {
+        // While a solver runs nobody has made surfaces of its times.
+        names.erase(std::find(names.begin(), names.end(), "fromFiles"));
+    }
+    options.method = readWord(dict, "reconstruction", options.method, names);
+    options.smooth = readNumber<label>(dict, "smooth", 0, Range{0, 1000, " pairs"});
+    if (options.smooth > 0 && !Reconstruction::canSmooth(options.method))
+    {
+        refuse(dict, "smooth", "0 with the reconstruction " + options.method);
+    }
+    options.sharpening = readSharpening(dict, options);
+    return options;
+}
+
+// The pattern of the names of files, needed by fromFiles alone.
+std::string readFiles(const dictionary& dict, const std::string& method)
+{
+    const bool found = dict.found("files", keyType::LITERAL);
+    if (found != (method == "fromFiles"))
+    {
+        FatalIOErrorInFunction(dict
+        ) << "Entries 'files' and 'reconstruction fromFiles' belong together; found is "
+          << (found ? "'files' with the reconstruction " : "no 'files'")
+          << (found ? method.c_str() : "") << '.' << exit(FatalIOError);
+    }
+    if (!found)
+    {
+        return "";
+    }
+    const entry* e = dict.findEntry("files", keyType::LITERAL);
+    const bool one = e->isStream() && e->stream().size() == 1;
+    const token& t = one ? e->stream()[0] : token::undefinedToken;
+    const std::string pattern = t.isString() ? std::string(t.stringToken())
+                                : t.isWord() ? std::string(t.wordToken())
+                                             : "";
+    if (!SurfaceFiles::isPattern(pattern))
+    {
+        refuse(dict, "files", SurfaceFiles::allowed());
+    }
+    return pattern;
+}
+
+TrackerOptions readTrackerOptions(const dictionary& dict, Shell shell)
 {
     TrackerOptions options;
-    options.reconstruction.method = readWord(
-        dict, "reconstruction", options.reconstruction.method, Reconstruction::names()
-    );
-    options.reconstruction.smooth =
-        readNumber<label>(dict, "smooth", 0, Range{0, 1000, " pairs"});
-    options.reconstruction.sharpening = readSharpening(dict, options.reconstruction);
+    options.reconstruction = readReconstruction(dict, shell);
     options.parametrization.flattening = readWord(
         dict, "flattening", options.parametrization.flattening, Flattening::names()
     );
     options.matching.epsilon = readEpsilon(dict, options.reconstruction.method);
     options.matching.normalGate = readSwitch(dict, "normalGate", true);
     options.transfer.merge = readEnum(dict, "merge", Merge::nearest, mergeNames);
-    options.transfer.seamTreatment = readSwitch(dict, "seamTreatment", true);
+    // Polygons that do not meet have no edges that a seam could cross.
+    options.transfer.seamTreatment =
+        readSwitch(dict, "seamTreatment", options.reconstruction.method != "plic");
     options.wallVelocity =
         readEnum(dict, "wallVelocity", WallVelocity::slip, wallVelocityNames);
     options.integration.tolerance =
@@ -303,7 +362,8 @@ Controls readControls(const dictionary& dict, Shell shell)
         controls.velocity =
             readEnum(dict, "velocity", VelocityKind::flux, velocityNames);
     }
-    controls.tracker = readTrackerOptions(dict);
+    controls.tracker = readTrackerOptions(dict, shell);
+    controls.files = readFiles(dict, controls.tracker.reconstruction.method);
     controls.onError = readEnum(dict, "onError", OnError::stop, onErrorNames);
     return controls;
 }

@@ -133,7 +133,7 @@ MeshSnapshots::MeshSnapshots(const fvMesh& mesh)
 {
 }
 
-std::shared_ptr<const FlowSnapshot> MeshSnapshots::take(
+std::shared_ptr<FlowSnapshot> MeshSnapshots::take(
     const volScalarField& alpha, const volVectorField& U, scalar time,
     const surfaceScalarField* phi
 ) const

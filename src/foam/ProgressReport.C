@@ -98,6 +98,12 @@ void ProgressReport::showTroubles(const Classification& c, const word& timeName)
              << c.parametrization->nFallbacks << " of " << c.parametrization->nCharts
              << " charts were flattened by the fallback tutte" << endl;
     }
+    if (c.nFailedCells > 0)
+    {
+        Info << "interfaceStability: at time " << timeName << " s " << c.nFailedCells
+             << " cells with an interface have no piece of it: no plane was found"
+             << endl;
+    }
     const IntegrationCounts& surface = c.timeSurfaceCounts;
     const IntegrationCounts& particles = c.particleCounts;
     if (surface.nStuck + surface.nLost + particles.nStuck + particles.nLost > 0)

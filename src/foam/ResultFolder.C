@@ -5,6 +5,7 @@
 
 #include "core/Errors.H"
 #include "core/FileReplacement.H"
+#include "foam/VtkLibrary.H"
 #include "OSspecific.H"
 #include "fileNameList.H"
 #include "sigFpe.H"
@@ -18,24 +19,12 @@ namespace Foam::stability
 namespace
 {
 
-const fileName writerLibrary("libinterfaceStabilityVtk.so");
 constexpr int textureSize = 1024; // [pixels]
 const fileName previousName("previous");
 
 std::unique_ptr<ResultWriter> openWriter()
 {
-    std::string cause;
-    void* handle = dlOpen(writerLibrary, cause);
-    void* symbol =
-        handle ? dlSymFound(handle, "interfaceStabilityNewVtpWriter") : nullptr;
-    if (!symbol)
-    {
-        throw std::runtime_error(
-            "Cannot open " + writerLibrary + ", which writes the results ("
-            + (handle ? "it lacks its entry point" : cause) + "): run Allwmake."
-        );
-    }
-    // The library stays open: the writer's code lives in it.
+    void* symbol = vtkEntryPoint("interfaceStabilityNewVtpWriter");
     const auto newWriter = reinterpret_cast<ResultWriter* (*)()>(symbol);
     return std::unique_ptr<ResultWriter>(newWriter());
 }

@@ -15,13 +15,13 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include "vtk/NoFloatingPointTraps.H"
 #include "vtk/VtpWriter.H"
 
 #include "core/painting/ParameterTexture.H"
 #include "core/FileReplacement.H"
 
 #include <algorithm>
-#include <cfenv>
 #include <stdexcept>
 
 namespace Foam::stability
@@ -29,20 +29,6 @@ namespace Foam::stability
 
 namespace
 {
-
-// OpenFOAM makes floating point exceptions fatal; VTK computes ranges of empty arrays
-// and the like. Restores what was set before.
-class NoFloatingPointTraps
-{
-public:
-    NoFloatingPointTraps() { std::feholdexcept(&environment_); }
-    ~NoFloatingPointTraps() { std::fesetenv(&environment_); }
-    NoFloatingPointTraps(const NoFloatingPointTraps&) = delete;
-    void operator=(const NoFloatingPointTraps&) = delete;
-
-private:
-    std::fenv_t environment_;
-};
 
 vtkSmartPointer<vtkPoints> vtkPointsOf(const pointField& points)
 {

@@ -2,6 +2,7 @@
 // Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/reconstruction/CellPlacement.H"
+#include "triPointRef.H"
 
 namespace Foam::stability
 {
@@ -29,6 +30,23 @@ scalar transgression(const CellComplex& complex, label celli, const point& x)
     return largest - tolerance;
 }
 
+// Does a face, triangles around its centre, pass within this distance of x?
+bool passes(const CellComplex& complex, label facei, const point& x, scalar distance)
+{
+    const pointField& points = complex.points();
+    const point& centre = complex.faceCentres()[facei];
+    const face& f = complex.faces()[facei];
+    forAll(f, k)
+    {
+        const triPointRef triangle(centre, points[f[k]], points[f.nextLabel(k)]);
+        if (triangle.nearestPoint(x).distance() <= distance)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
 } // namespace
 
 label holdingCell(
@@ -52,6 +70,29 @@ label holdingCell(
 bool liesWithin(const CellComplex& complex, label celli, const point& x)
 {
     return transgression(complex, celli, x) <= 0;
+}
+
+label boundaryFaceAt(
+    const CellComplex& complex, label celli, const point& x, scalar tolerance
+)
+{
+    label lowest = -1;
+    for (const label ownFacei : complex.cellFaces()[celli])
+    {
+        for (const label pointi : complex.faces()[ownFacei])
+        {
+            for (const label facei : complex.pointBoundaryFaces()[pointi])
+            {
+                const label boundaryFacei = facei - complex.nInternalFaces();
+                if ((lowest < 0 || boundaryFacei < lowest)
+                    && passes(complex, facei, x, tolerance))
+                {
+                    lowest = boundaryFacei;
+                }
+            }
+        }
+    }
+    return lowest;
 }
 
 } // namespace Foam::stability

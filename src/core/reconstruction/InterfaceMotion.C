@@ -5,6 +5,7 @@
 #include "core/mesh/TaubinSmoothing.H"
 #include "core/reconstruction/CellPlacement.H"
 
+#include <algorithm>
 #include <cmath>
 
 namespace Foam::stability
@@ -131,11 +132,38 @@ scalar moveInterface(InterfaceMesh& mesh, const CellComplex& complex, vectorFiel
     const scalar swept = sweptVolume(mesh, moves);
     mesh.points += moves;
     mesh.cells = cells;
-    forAll(cells, pointi)
-    {
-        mesh.cellSizes[pointi] = complex.cellSizes()[cells[pointi]];
-    }
+    mesh.cellSizes = scalarField(complex.cellSizes(), cells);
     return swept;
+}
+
+label settledCell(const CellComplex& complex, label celli, const point& x)
+{
+    constexpr scalar deep = 0.05; // in cells: warped faces bulge by less
+    bool inside = true;
+    for (const label facei : complex.cellFaces()[celli])
+    {
+        const vector& S = complex.faceAreas()[facei];
+        const scalar outwards = complex.owner()[facei] == celli ? 1 : -1;
+        const scalar distance = outwards * ((x - complex.faceCentres()[facei]) & S);
+        inside = inside && distance < -deep * complex.cellSizes()[celli] * mag(S);
+    }
+    if (inside)
+    {
+        return celli;
+    }
+    Surroundings around(complex, celli);
+    std::sort(around.cells.begin(), around.cells.end());
+    return holdingCell(complex, around.cells, x);
+}
+
+void settleInCells(InterfaceMesh& mesh, const CellComplex& complex)
+{
+    forAll(mesh.cells, pointi)
+    {
+        label& celli = mesh.cells[pointi];
+        celli = settledCell(complex, celli, mesh.points[pointi]);
+    }
+    mesh.cellSizes = scalarField(complex.cellSizes(), mesh.cells);
 }
 
 } // namespace Foam::stability

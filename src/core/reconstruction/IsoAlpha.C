@@ -2,6 +2,7 @@
 // Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/reconstruction/IsoAlpha.H"
+#include "core/reconstruction/InterfaceMotion.H"
 #include "core/reconstruction/MarchingTets.H"
 #include "core/reconstruction/VolumeFractions.H"
 
@@ -280,6 +281,7 @@ ReconstructionResult IsoAlpha::extract(const FlowSnapshot& snapshot) const
             result.mesh, complex, fractions, options_.sharpening, options_.nThreads
         );
         result.volume += result.sharpening->volume;
+        settleInCells(result.mesh, complex);
     }
     return result;
 }

@@ -4,21 +4,29 @@
 #include "core/reconstruction/Reconstruction.H"
 #include "core/Errors.H"
 #include "core/reconstruction/BonnellDual.H"
+#include "core/reconstruction/GivenInterface.H"
+#include "core/reconstruction/InterfaceMotion.H"
 #include "core/reconstruction/InterfaceSmoothing.H"
 #include "core/reconstruction/IsoAlpha.H"
 #include "core/reconstruction/MarchingTets.H"
+#include "core/reconstruction/PlicPolygons.H"
+
+#include <algorithm>
 
 namespace Foam::stability
 {
 
 const std::vector<std::string>& Reconstruction::names()
 {
-    static const std::vector<std::string> all{"isoAlpha", "bonnell"};
+    static const std::vector<std::string> all{
+        "isoAlpha", "bonnell", "plic", "fromFiles"};
     return all;
 }
 
-std::unique_ptr<Reconstruction> Reconstruction::New(const ReconstructionOptions& options
-)
+namespace
+{
+
+void checkOptions(const ReconstructionOptions& options)
 {
     if (options.smooth < 0)
     {
@@ -27,28 +35,56 @@ std::unique_ptr<Reconstruction> Reconstruction::New(const ReconstructionOptions&
             + std::to_string(options.smooth) + "."
         );
     }
-    if (options.method == "isoAlpha")
+    if (options.smooth > 0 && !Reconstruction::canSmooth(options.method))
     {
-        return std::make_unique<IsoAlpha>(options);
+        throw BadInput(
+            "Smoothing (smooth) is not for the reconstruction " + options.method + "."
+        );
     }
-    if (options.method == "bonnell")
+    if (options.sharpening != Sharpening::none && options.method != "isoAlpha")
     {
-        if (options.sharpening != Sharpening::none)
-        {
-            throw BadInput("Sharpening is for the reconstruction isoAlpha, not bonnell."
-            );
-        }
-        return std::make_unique<BonnellDual>(options);
+        throw BadInput(
+            "Sharpening is for the reconstruction isoAlpha, not " + options.method + "."
+        );
     }
+}
+
+} // namespace
+
+bool Reconstruction::canSmooth(const std::string& method)
+{
+    return method == "isoAlpha" || method == "bonnell";
+}
+
+std::unique_ptr<Reconstruction> Reconstruction::New(const ReconstructionOptions& options
+)
+{
     std::string known;
     for (const std::string& name : names())
     {
         known += (known.empty() ? "" : ", ") + name;
     }
-    throw BadInput(
-        "The reconstruction \"" + options.method + "\" is unknown; known are " + known
-        + "."
-    );
+    if (std::find(names().begin(), names().end(), options.method) == names().end())
+    {
+        throw BadInput(
+            "The reconstruction \"" + options.method + "\" is unknown; known are "
+            + known + "."
+        );
+    }
+    checkOptions(options);
+    if (options.method == "bonnell")
+    {
+        return std::make_unique<BonnellDual>(options);
+    }
+    if (options.method == "plic")
+    {
+        return std::make_unique<PlicPolygons>(options);
+    }
+    if (options.method == "fromFiles")
+    {
+        return std::make_unique<GivenInterface>();
+    }
+    return std::make_unique<IsoAlpha>(options);
 }
 
 ReconstructionResult Reconstruction::finish(
@@ -64,6 +100,7 @@ ReconstructionResult Reconstruction::finish(
     {
         result.volume += smoothInterface(result.mesh, complex, options.smooth);
     }
+    settleInCells(result.mesh, complex);
     return result;
 }
 

@@ -6,6 +6,7 @@
 #include "core/Errors.H"
 #include "core/analysis/ThinSheets.H"
 #include "core/parametrization/Flattening.H"
+#include "core/reconstruction/InterfaceMotion.H"
 #include "core/reconstruction/NoiseFloor.H"
 
 #include <chrono>
@@ -238,6 +239,7 @@ void StabilityTracker::compare(const InterfaceMesh& extracted)
             transfer(mesh, onInterface, target, options_.transfer, chart_);
     }
     const CellComplex& complex = *latest_->complex;
+    settleInCells(mesh, complex); // what seams have added
     const scalar interval = latest_->time - lastClassified_;
     result_.interface =
         describe(mesh, onInterface, Stability::attached, complex, interval);
@@ -279,6 +281,7 @@ void StabilityTracker::takeStock(const ReconstructionResult& extracted)
     statistics.time = latest_->time;
     statistics.interval = latest_->time - lastClassified_;
     statistics.volumeError = extracted.volumeError();
+    result_.nFailedCells = extracted.nFailed;
     statistics.nParticles = particles_.size();
     statistics.nMerged = result_.transfer.nMerged;
     statistics.nSplit = result_.transfer.nSplit;

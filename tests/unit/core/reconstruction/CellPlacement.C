@@ -24,3 +24,20 @@ TEST(CellPlacement, findsTheHoldingCellNotTheOneWithTheNearestCentre)
     EXPECT_TRUE(liesWithin(*complex, 0, point(0.2, 1, 0)));
     EXPECT_FALSE(liesWithin(*complex, 0, point(0.2001, 1, 0)));
 }
+
+TEST(CellPlacement, findsTheLowestFaceOfTheBoundaryThatPasses)
+{
+    const auto complex = shapes::unitCube(3);
+    const auto patchAt = [&](const point& x, scalar tolerance)
+    {
+        const label celli = complex->findCell(point(0.2, 0.5, 0.1));
+        const label facei = boundaryFaceAt(*complex, celli, x, tolerance);
+        return facei < 0 ? -1 : complex->patches()[facei];
+    };
+    EXPECT_EQ(patchAt(point(0.2, 0.5, 0), 1e-9), 4);
+    EXPECT_EQ(patchAt(point(0.2, 0.5, 1e-3), 1e-9), -1);
+    EXPECT_EQ(patchAt(point(0.2, 0.5, 1e-3), 2e-3), 4);
+    EXPECT_EQ(patchAt(point(0.2, 0.5, 0.5), 1e-9), -1);
+    EXPECT_EQ(patchAt(point(0, 0.9, 0.2), 1e-9), 0); // around the cell, not its own
+    EXPECT_EQ(patchAt(point(0, 0.5, 0), 1e-9), 0);
+}

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "core/reconstruction/PlicPolygons.H"
+#include "core/reconstruction/CellPlacement.H"
+#include "core/reconstruction/PlicFits.H"
+#include "DynamicList.H"
+
+#include <algorithm>
+#include <vector>
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+using Polygon = std::vector<point>; // right-handed normal into the second material
+
+// Corners that coincide come from planes through points of the cell.
+void dropRepeated(Polygon& polygon, scalar tolerance)
+{
+    const auto end = std::unique(
+        polygon.begin(), polygon.end(),
+        [&](const point& a, const point& b) { return mag(a - b) < tolerance; }
+    );
+    polygon.erase(end, polygon.end());
+    while (polygon.size() > 1 && mag(polygon.front() - polygon.back()) < tolerance)
+    {
+        polygon.pop_back();
+    }
+}
+
+point centroid(const Polygon& polygon)
+{
+    vector total(Zero);
+    for (std::size_t i = 2; i < polygon.size(); ++i)
+    {
+        total += (polygon[i - 1] - polygon[0]) ^ (polygon[i] - polygon[0]);
+    }
+    const vector n = total / max(mag(total), VSMALL);
+    vector moment(Zero);
+    for (std::size_t i = 2; i < polygon.size(); ++i)
+    {
+        const vector a = polygon[i - 1] - polygon[0], b = polygon[i] - polygon[0];
+        moment += ((a ^ b) & n) * (a + b) / 3;
+    }
+    return polygon[0] + moment / max(mag(total), VSMALL);
+}
+
+class PolygonSoup
+{
+public:
+    explicit PolygonSoup(const CellComplex& complex) : complex_(complex) {}
+
+    // False where nothing is left of it.
+    bool add(label celli, Polygon polygon)
+    {
+        constexpr scalar same = 1e-8; // in cells
+        dropRepeated(polygon, same * complex_.cellSizes()[celli]);
+        if (polygon.size() < 3)
+        {
+            return false;
+        }
+        const label first = points_.size();
+        const label n = polygon.size();
+        for (const point& x : polygon)
+        {
+            addPoint(celli, x);
+        }
+        if (n == 3)
+        {
+            triangles_.append(triFace(first, first + 1, first + 2));
+            return true;
+        }
+        addPoint(celli, centroid(polygon));
+        for (label k = 0; k < n; ++k)
+        {
+            triangles_.append(triFace(first + n, first + k, first + (k + 1) % n));
+        }
+        return true;
+    }
+
+    InterfaceMesh takeMesh()
+    {
+        InterfaceMesh mesh;
+        mesh.points.transfer(points_);
+        mesh.triangles.transfer(triangles_);
+        mesh.cells.transfer(cells_);
+        mesh.boundaryFaces.transfer(boundaryFaces_);
+        mesh.cellSizes = scalarField(complex_.cellSizes(), mesh.cells);
+        mesh.clearParametrization();
+        return mesh;
+    }
+
+private:
+    void addPoint(label celli, const point& x)
+    {
+        constexpr scalar onBoundary = 1e-9; // in cells
+        const scalar tolerance = onBoundary * complex_.cellSizes()[celli];
+        points_.append(x);
+        cells_.append(celli);
+        boundaryFaces_.append(boundaryFaceAt(complex_, celli, x, tolerance));
+    }
+
+    const CellComplex& complex_;
+    DynamicList<point> points_;
+    DynamicList<triFace> triangles_;
+    DynamicList<label> cells_;
+    DynamicList<label> boundaryFaces_;
+};
+
+// The normal of a plane points into the first material.
+Polygon polygonIn(const CellComplex& complex, label celli, const PlicPlane& plane)
+{
+    if (!plane.converged)
+    {
+        return Polygon();
+    }
+    Polygon polygon = CellShape(complex, celli).polygonOf(plane);
+    std::reverse(polygon.begin(), polygon.end());
+    return polygon;
+}
+
+Polygon polygonOn(const CellComplex& complex, label facei, const PlicPlane& plane)
+{
+    Polygon polygon;
+    for (const label pointi : complex.faces()[facei])
+    {
+        polygon.push_back(complex.points()[pointi]);
+    }
+    if ((complex.faceAreas()[facei] & plane.normal) > 0)
+    {
+        std::reverse(polygon.begin(), polygon.end());
+    }
+    return polygon;
+}
+
+} // namespace
+
+ReconstructionResult PlicPolygons::extract(const FlowSnapshot& snapshot) const
+{
+    const CellComplex& complex = *snapshot.complex;
+    const VolumeFractions fractions(snapshot);
+    const PlicFits plic = fitPlic(complex, fractions, options_.nThreads);
+    std::vector<Polygon> polygons(plic.fits.size());
+#pragma omp parallel for schedule(dynamic, 64) num_threads(options_.nThreads)
+    for (label i = 0; i < plic.fits.size(); ++i)
+    {
+        polygons[i] =
+            i < plic.nCells
+                ? polygonIn(complex, plic.fits[i].cell, plic.planes[i])
+                : polygonOn(complex, plic.jumpFaces[i - plic.nCells], plic.planes[i]);
+    }
+    ReconstructionResult result;
+    PolygonSoup soup(complex);
+    forAll(plic.fits, i)
+    {
+        result.nFailed += !soup.add(plic.fits[i].cell, polygons[i]);
+    }
+    result.mesh = soup.takeMesh();
+    result.alphaVolume = fractions.volume;
+    result.volume = fractions.volume;
+    return result;
+}
+
+} // namespace Foam::stability
