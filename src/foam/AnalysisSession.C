@@ -99,9 +99,10 @@ std::shared_ptr<const FlowSnapshot> AnalysisSession::takeSnapshot()
 {
     const Busy busy(readingSeconds_);
     std::shared_ptr<FlowSnapshot> snapshot(takeFields());
-    if (surfaces_.expected())
+    const instant now(mesh_.time().value(), mesh_.time().timeName());
+    if (surfaces_.expected(now))
     {
-        snapshot->surface = surfaces_.read(mesh_.time().timeName(), nTaken_);
+        snapshot->surface = surfaces_.read(now, nTaken_);
     }
     ++nTaken_;
     return snapshot;
@@ -233,8 +234,16 @@ void AnalysisSession::announce() const
              << options.reconstruction.method.c_str() << " reconstruction, sharpening "
              << sharpeningNames()[label(options.reconstruction.sharpening)].c_str()
              << ", epsilon " << epsilon.value << (epsilon.relative ? " cells" : " m")
-             << ", " << options.nThreads << " threads" << nl << "    results in "
-             << mesh_.time().relativePath(folder_->path()) << nl << endl;
+             << ", " << options.nThreads << " threads" << nl;
+        for (const ReconstructionFrom& later : options.later)
+        {
+            const ReconstructionOptions& other = later.reconstruction;
+            Info << "    from " << later.from << " s on " << other.method.c_str()
+                 << " reconstruction, sharpening "
+                 << sharpeningNames()[label(other.sharpening)].c_str() << nl;
+        }
+        Info << "    results in " << mesh_.time().relativePath(folder_->path()) << nl
+             << endl;
     }
 }
 

@@ -43,26 +43,13 @@ const Enum<OnError> onErrorNames({
     {OnError::resume, "resume"},
 });
 
-const wordList ownEntries{
-    "alpha",
-    "U",
-    "phi",
-    "velocity",
-    "region",
-    "reconstruction",
-    "files",
-    "sharpening",
-    "smooth",
-    "epsilon",
-    "epsilonAbsolute",
-    "merge",
-    "normalGate",
-    "seamTreatment",
-    "wallVelocity",
-    "tolerance",
-    "maxParticles",
-    "flattening",
-    "nThreads"};
+const wordList ownEntries{"alpha",           "U",          "phi",
+                          "velocity",        "region",     "reconstruction",
+                          "reconstructions", "files",      "sharpening",
+                          "smooth",          "epsilon",    "epsilonAbsolute",
+                          "merge",           "normalGate", "seamTreatment",
+                          "wallVelocity",    "tolerance",  "maxParticles",
+                          "flattening",      "nThreads"};
 
 // What OpenFOAM itself reads from the dictionary of any function object.
 const wordList functionObjectEntries{
@@ -322,6 +309,44 @@ std::string readFiles(const dictionary& dict, const std::string& method)
     return pattern;
 }
 
+// Other reconstructions from later times on, each with all that belongs to it.
+void readLater(const dictionary& dict, Shell shell, Controls& controls)
+{
+    if (!dict.found("reconstructions", keyType::LITERAL))
+    {
+        return;
+    }
+    const wordHashSet allowed{
+        "from", "reconstruction", "sharpening", "smooth", "files"};
+    scalar before = -VGREAT;
+    for (const entry& e : PtrList<entry>(dict.lookup("reconstructions")))
+    {
+        const dictionary& later = e.dict();
+        for (const entry& inner : later)
+        {
+            if (!allowed.found(inner.keyword()))
+            {
+                FatalIOErrorInFunction(later)
+                    << "Unknown entry '" << inner.keyword()
+                    << "'; allowed are from, reconstruction, sharpening, smooth, files."
+                    << exit(FatalIOError);
+            }
+        }
+        ReconstructionFrom change;
+        change.from = later.get<scalar>("from");
+        if (!(change.from > before))
+        {
+            refuse(later, "from", "a later time than that of the entry before");
+        }
+        before = change.from;
+        change.reconstruction = readReconstruction(later, shell);
+        controls.files.push_back(
+            {change.from, readFiles(later, change.reconstruction.method)}
+        );
+        controls.tracker.later.push_back(change);
+    }
+}
+
 TrackerOptions readTrackerOptions(const dictionary& dict, Shell shell)
 {
     TrackerOptions options;
@@ -363,7 +388,9 @@ Controls readControls(const dictionary& dict, Shell shell)
             readEnum(dict, "velocity", VelocityKind::flux, velocityNames);
     }
     controls.tracker = readTrackerOptions(dict, shell);
-    controls.files = readFiles(dict, controls.tracker.reconstruction.method);
+    controls.files = {
+        {-VGREAT, readFiles(dict, controls.tracker.reconstruction.method)}};
+    readLater(dict, shell, controls);
     controls.onError = readEnum(dict, "onError", OnError::stop, onErrorNames);
     return controls;
 }

@@ -4,6 +4,7 @@
 #include "foam/SurfaceFiles.H"
 
 #include "core/Errors.H"
+#include "core/reconstruction/Reconstruction.H"
 #include "foam/VtkLibrary.H"
 #include "OSspecific.H"
 #include "Time.H"
@@ -33,9 +34,19 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 
 } // namespace
 
-SurfaceFiles::SurfaceFiles(const Time& time, const std::string& pattern)
-    : time_(time), pattern_(pattern)
+SurfaceFiles::SurfaceFiles(const Time& time, const std::vector<FilesFrom>& files)
+    : time_(time), files_(files)
 {
+}
+
+std::string SurfaceFiles::patternAt(const instant& time) const
+{
+    std::string pattern;
+    for (const FilesFrom& files : files_)
+    {
+        pattern = hasBegun(files.from, time.value()) ? files.pattern : pattern;
+    }
+    return pattern;
 }
 
 bool SurfaceFiles::isPattern(const std::string& text)
@@ -54,12 +65,13 @@ std::string SurfaceFiles::allowed()
     return "a name with <time> or <index> in it that ends in .vtp, .stl or .obj";
 }
 
-fileName SurfaceFiles::path(const word& timeName, label index) const
+fileName SurfaceFiles::path(const instant& time, label index) const
 {
     std::ostringstream number;
     number << std::setw(6) << std::setfill('0') << index;
-    const std::string name =
-        replaced(replaced(pattern_, timePlace, timeName), indexPlace, number.str());
+    const std::string name = replaced(
+        replaced(patternAt(time), timePlace, time.name()), indexPlace, number.str()
+    );
     return name[0] == '/' ? fileName(name) : time_.globalPath() / fileName(name);
 }
 
@@ -78,20 +90,19 @@ void SurfaceFiles::requireFile(const fileName& file, const word& timeName) const
 
 void SurfaceFiles::require(const instantList& times) const
 {
-    if (expected())
+    forAll(times, i)
     {
-        forAll(times, i)
+        if (expected(times[i]))
         {
-            requireFile(path(times[i].name(), i), times[i].name());
+            requireFile(path(times[i], i), times[i].name());
         }
     }
 }
 
-std::shared_ptr<const GivenSurface>
-SurfaceFiles::read(const word& timeName, label index)
+std::shared_ptr<const GivenSurface> SurfaceFiles::read(const instant& time, label index)
 {
-    const fileName file(path(timeName, index));
-    requireFile(file, timeName);
+    const fileName file(path(time, index));
+    requireFile(file, time.name());
     const sigFpe::ignore untrapped;
     if (!reader_)
     {

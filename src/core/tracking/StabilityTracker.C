@@ -58,8 +58,7 @@ StabilityTracker::StabilityTracker(
 )
     : options_(options), exchange_(exchange), particles_(options.maxParticles)
 {
-    options_.reconstruction.nThreads = options.nThreads;
-    reconstruction_ = Reconstruction::New(options_.reconstruction);
+    makeReconstructions();
     Flattening::New(options.parametrization.flattening); // throws for unknown names
     options_.matching.nThreads = options.nThreads;
     options_.transfer.nThreads = options.nThreads;
@@ -67,6 +66,24 @@ StabilityTracker::StabilityTracker(
 }
 
 StabilityTracker::~StabilityTracker() = default;
+
+void StabilityTracker::makeReconstructions()
+{
+    options_.reconstruction.nThreads = options_.nThreads;
+    reconstructions_.push_back(Reconstruction::New(options_.reconstruction));
+    scalar before = -VGREAT;
+    for (ReconstructionFrom& later : options_.later)
+    {
+        if (!(later.from > before))
+        {
+            throw BadInput("The times from which on other reconstructions apply must "
+                           "ascend.");
+        }
+        before = later.from;
+        later.reconstruction.nThreads = options_.nThreads;
+        reconstructions_.push_back(Reconstruction::New(later.reconstruction));
+    }
+}
 
 scalar StabilityTracker::time() const
 {
@@ -199,9 +216,16 @@ void StabilityTracker::startSurface(const InterfaceMesh& mesh)
 ReconstructionResult StabilityTracker::extract()
 {
     Stopwatch watch(timings_.reconstruction);
-    ReconstructionResult result(reconstruction_->extract(*latest_));
-    result_.statistics.noiseFloor =
-        noiseFloor(result, *latest_, options_.reconstruction);
+    const ReconstructionOptions* options = &options_.reconstruction;
+    std::size_t present = 0;
+    while (present < options_.later.size()
+           && hasBegun(options_.later[present].from, latest_->time))
+    {
+        options = &options_.later[present].reconstruction;
+        ++present;
+    }
+    ReconstructionResult result(reconstructions_[present]->extract(*latest_));
+    result_.statistics.noiseFloor = noiseFloor(result, *latest_, *options);
     return result;
 }
 
