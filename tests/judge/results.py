@@ -70,6 +70,11 @@ class Surface:
         thirds = np.repeat(self.triangle_areas() / 3, 3)
         return np.bincount(self.triangles.ravel(), thirds, minlength=self.n)
 
+    def share_beyond(self, distance):
+        """By area, of what did not leave the domain: farther from the other surface."""
+        areas = np.where(self["stability"] == 3, 0, self.point_areas())
+        return areas[self["distance"] > distance].sum() / areas.sum()
+
     def has_p(self):
         return ~np.all(self["parameter"] == -1, axis=1)
 

@@ -3,6 +3,8 @@
 
 #include "shapes/AnalyticFlows.H"
 
+#include "shapes/DeformedSphere.H"
+
 #include <cmath>
 
 namespace Foam::stability::shapes
@@ -33,20 +35,7 @@ Flow linearFlow(const vector& U0, const tensor& gradient)
 Flow leveque(scalar period)
 {
     return [period](const point& x, scalar time)
-    {
-        const scalar g = std::cos(pi * time / period);
-        vector s, s2;
-        for (direction d = 0; d < 3; ++d)
-        {
-            s[d] = sqr(std::sin(pi * x[d]));
-            s2[d] = std::sin(2 * pi * x[d]);
-        }
-        return g
-               * vector(
-                   2 * s.x() * s2.y() * s2.z(), -s2.x() * s.y() * s2.z(),
-                   -s2.x() * s2.y() * s.z()
-               );
-    };
+    { return deformation(x, time, period); };
 }
 
 Flow riderKothe(scalar period)

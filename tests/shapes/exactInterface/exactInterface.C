@@ -23,15 +23,18 @@ Usage
         through        | a point of that axis                  | no | (0 0 0)
         period         | of one revolution [s]; 0: none        | no | 0
         velocity       | of the body's translation [m/s]       | no | (0 0 0)
+        deformation    | of the unit cube, LeVeque's: period [s]; 0: none | no | 0
         velocityFactor | U is the body's own times this        | no | 1
         drift          | and faster along the normal by [m/s]  | no | 0
     \endtable
     The body lies at \c centre at time 0 and is filled with water (alpha.water = 1);
-    a plane is filled on the side that the normal leaves; its cells are boxes.
+    a plane is filled on the side that the normal leaves; its cells are boxes. A
+deformed sphere does not rotate, translate or drift.
 */
 
 #include "fvCFD.H"
 
+#include "shapes/DeformedSphere.H"
 #include "shapes/SphereVolume.H"
 
 #include <algorithm>
@@ -61,7 +64,8 @@ public:
           through_(dict.lookupOrDefault("through", point::zero)),
           velocity_(dict.lookupOrDefault("velocity", vector::zero)),
           velocityFactor_(dict.lookupOrDefault<scalar>("velocityFactor", 1)),
-          drift_(dict.lookupOrDefault<scalar>("drift", 0))
+          drift_(dict.lookupOrDefault<scalar>("drift", 0)),
+          deformation_(dict.lookupOrDefault<scalar>("deformation", 0))
     {
         const scalar period = dict.lookupOrDefault<scalar>("period", 0);
         angularSpeed_ = period > 0 ? constant::mathematical::twoPi / period : 0;
@@ -73,12 +77,21 @@ public:
 
     scalarField fractions(const polyMesh& mesh, scalar time) const
     {
+        if (deformation_ > 0)
+        {
+            return DeformedSphere({centre_, radius_}, deformation_)
+                .fractions(mesh.points(), mesh.cellPoints(), time);
+        }
         return shape_ == Shape::sphere ? sphereFractions(mesh, {at(time), radius_})
                                        : planeFractions(mesh, at(time));
     }
 
     vector velocity(const point& x, scalar time) const
     {
+        if (deformation_ > 0)
+        {
+            return velocityFactor_ * deformation(x, time, deformation_);
+        }
         const vector own = velocity_ + angularSpeed_ * (axis_ ^ (x - through_));
         const vector away =
             shape_ == Shape::sphere ? normalised(x - at(time)) : normal_;
@@ -183,6 +196,7 @@ private:
     vector velocity_;
     scalar velocityFactor_;
     scalar drift_;
+    scalar deformation_;      // [s]
     scalar angularSpeed_ = 0; // [rad/s]
 };
 
