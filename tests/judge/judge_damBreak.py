@@ -2,14 +2,18 @@
 # Part of interfaceStability, an extension of OpenFOAM.
 """Judges runs on the dam break over an obstacle.
 
-walls:  the detached area of a run with `wallVelocity slip` against `noSlip`
-series: the areas of a run on 32^3 cells against those recorded
+walls:      the detached area of a run with `wallVelocity slip` against `noSlip`
+series:     the areas of a run on 32^3 cells against those recorded
+start:      the first interface, of fractions that are 0 or 1, against the column's sides
+sharpening: how far the carried surface is from the next one, by sharpening and velocity
+intervals:  the same by the interval between the times
 """
 
 import argparse
 
 import numpy as np
 
+from dam import DISTANCES, Resolution, Survival
 from results import Run, Verdict
 
 # Sums over all intervals of 0.02 s to the end time, epsilon 0.5 cells, isoAlpha, slip
@@ -107,6 +111,92 @@ def judge_series(options, verdict):
         verdict.check("series", False, f"nothing is recorded for {options.end} s")
 
 
+def judge_start(options, verdict):
+    """The cells of the column end at `top`, its other sides are walls."""
+    h = 1 / options.cells
+    top = np.round(np.array([0.6, 0.1875, 0.75]) / h - 1e-9) * h
+    m = Run(options.case).surface("interface", 0)
+    above = m.points - top
+    distance = np.linalg.norm(np.maximum(above, 0), axis=1)
+    distance = np.abs(distance + np.minimum(above.max(axis=1), 0)) / h
+    flat = np.sort(above, axis=1)[:, 1] < -h  # more than a cell from the edges
+    verdict.at_most("start: sides are planes, off by [cells]", distance[flat].max(), 1e-6)
+    verdict.at_most("start: edges are off by [cells]", distance.max(), 0.1)
+    a, b, c = (above[m.triangles[:, i]] for i in range(3))
+    normals = np.cross(b - a, c - a)
+    centres = (a + b + c) / 3
+    outwards = normals[np.arange(len(normals)), centres.argmax(axis=1)]
+    outwards /= np.linalg.norm(normals, axis=1)
+    verdict.at_least("start: no triangle is flipped, cosine", outwards.min(), 0.5)
+    x, y, z = top
+    area, exact = m.triangle_areas().sum(), x * y + y * z + z * x
+    verdict.check(
+        "start: area of the sides",
+        abs(area / exact - 1) < 0.002,
+        f"{area:.5f} m2, exactly {exact:.5f} m2",
+    )
+
+
+# Allowed shares of the resolved interior of T with `sharpening profile` and `velocity U`,
+# by DISTANCES; 13 intervals of 20 ms, or those of them that are there.
+PROFILE = np.array([0.30, 0.11, 0.022, 0.005, 0.001])
+# Cases by sharpening, with `velocity U` if nothing else is said.
+RUNS = ("none", "profile", "auto", "profileFlux", "autoFlux")
+
+
+def survival(case, resolution):
+    run = Run(case)
+    times = run.table("stability.dat")["Time"]
+    ends = np.arange(0.08, 1.29, 0.1)
+    indices = [i for i, time in enumerate(times) if np.any(abs(time - ends) < 1e-6)]
+    return Survival(run, resolution, indices), len(indices)
+
+
+def judge_sharpening(options, verdict):
+    resolution = Resolution(options.data, options.cells)
+    found = {}
+    for name in RUNS:
+        found[name], n = survival(getattr(options, name), resolution)
+        print(f"  {name:12s} {found[name]}")
+        verdict.check(f"{name}: intervals", n == options.intervals, f"{n}")
+    none, profile = found["none"], found["profile"]
+    tenth, half = DISTANCES.index(0.1), DISTANCES.index(0.5)
+    for i, cells in enumerate(DISTANCES):
+        at = f"resolved, beyond {cells:g} cells"
+        verdict.at_most(f"profile: {at}", profile.resolved[i], PROFILE[i])
+        verdict.at_most(f"auto: {at}", found["auto"].resolved[i], 1.2 * PROFILE[i])
+    verdict.at_most(
+        "flux over U: resolved, beyond 0.1 cells",
+        found["profileFlux"].resolved[tenth] / profile.resolved[tenth],
+        0.9,
+    )
+    for name in ("profile", "auto"):
+        verdict.at_most(f"{name} over none: area of M", found[name].area / none.area, 1.02)
+        verdict.at_most(
+            f"{name}: all, beyond 0.5 cells", found[name].all[half], none.all[half] + 0.002
+        )
+
+
+def judge_intervals(options, verdict):
+    """Each run has twice the interval of the one before it, to the same end."""
+    resolution = Resolution(options.data, options.cells)
+    before = None
+    for case in options.runs:
+        run = Run(case)
+        rows = run.table("stability.dat")
+        now = Survival(run, resolution, range(1, len(run)))
+        name = f"{1000 * (rows['Time'][1] - rows['Time'][0]):g} ms"
+        print(f"  {name}: {now}, displacement {rows['displacement'][1:].mean():.2f} cells")
+        if before is not None:
+            for i in (DISTANCES.index(cells) for cells in (0.1, 0.25, 0.5)):
+                verdict.at_most(
+                    f"half of {name} over it: beyond {DISTANCES[i]:g} cells",
+                    before.resolved[i] / now.resolved[i],
+                    0.6,
+                )
+        before = now
+
+
 def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
@@ -120,6 +210,21 @@ def main():
     series.add_argument("case")
     series.add_argument("--end", type=float, help="end time [s]")
     series.set_defaults(judge=judge_series)
+    start = commands.add_parser("start")
+    start.add_argument("case")
+    start.set_defaults(judge=judge_start)
+    sharpening = commands.add_parser("sharpening")
+    sharpening.add_argument("data", help="the case with the fields, and 0/C")
+    for name in RUNS:
+        sharpening.add_argument(name, help="a case with results")
+    sharpening.add_argument("--intervals", type=int, required=True)
+    sharpening.set_defaults(judge=judge_sharpening)
+    intervals = commands.add_parser("intervals")
+    intervals.add_argument("data", help="the case with the fields, and 0/C")
+    intervals.add_argument("runs", nargs="+", help="cases with results")
+    intervals.set_defaults(judge=judge_intervals)
+    for command in (start, sharpening, intervals):
+        command.add_argument("--cells", type=int, default=32, help="along each side")
     options = parser.parse_args()
     verdict = Verdict()
     options.judge(options, verdict)
