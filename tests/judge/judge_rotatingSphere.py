@@ -159,7 +159,7 @@ def judge_rotation(run, options, verdict):
             options.largest,
         )
         # At single vertices of a seam, now and then.
-        verdict.at_most("largest error of p, any step [cells]", largest_p, 0.5)
+        verdict.at_most("largest error of p, any step [cells]", largest_p, options.p_any)
     if options.quarter:
         # Most of the noise of the surface is smaller than a quarter of a cell.
         survival = run.table("survival.dat")
@@ -179,6 +179,8 @@ def main():
     parser.add_argument("--transfers", type=int, default=40)
     parser.add_argument("--mean", type=float, default=0.1, help="allowed mean error [cells]")
     parser.add_argument("--largest", type=float, help="allowed error of any vertex [cells]")
+    parser.add_argument("--p-any", type=float, default=0.5,
+                        help="allowed error of p of any vertex at any step [cells]")
     parser.add_argument("--centre", nargs=3, type=float, default=[0.726, 0.393, 0.508],
                         help="of the sphere at the start [m]")
     parser.add_argument("--axis", nargs=3, type=float, default=[1, 2, 3])
