@@ -3,6 +3,7 @@
 
 #include "shapes/DeformedSphere.H"
 
+#include "shapes/PlaneVolume.H"
 #include "boundBox.H"
 #include "mathematicalConstants.H"
 
@@ -91,40 +92,6 @@ std::vector<scalar> evaluated(
     return pass(pass(pass(nodes, x), y), z);
 }
 
-// Of the unit cube around 0, where level + slopes & x < 0; in closed form.
-scalar cubeFraction(scalar level, vector slopes)
-{
-    const scalar whole = cmptSum(cmptMag(slopes));
-    if (mag(level) >= 0.5 * whole)
-    {
-        return level < 0 ? 1 : 0;
-    }
-    scalar volume = 0;
-    scalar sixfold = 6;
-    // The formula divides by each slope.
-    for (direction d = 0; d < 3; ++d)
-    {
-        slopes[d] = std::max(mag(slopes[d]), 1e-3 * whole);
-        sixfold *= slopes[d];
-    }
-    const scalar depth = 0.5 * cmptSum(slopes) - level;
-    for (int corner = 0; corner < 8; ++corner)
-    {
-        scalar rest = depth;
-        int sign = 1;
-        for (direction d = 0; d < 3; ++d)
-        {
-            if (corner >> d & 1)
-            {
-                rest -= slopes[d];
-                sign = -sign;
-            }
-        }
-        volume += sign * pow3(std::max(rest, scalar(0)));
-    }
-    return std::clamp(volume / sixfold, scalar(0), scalar(1));
-}
-
 // Range of the level among some nodes of a lattice; between them it may go beyond by
 // half of it.
 class Range
@@ -182,7 +149,7 @@ public:
         scalar sum = 0;
         for (std::size_t i = 0; i < levels.size(); ++i)
         {
-            sum += cubeFraction(levels[i], slopes(i) / nParts);
+            sum += boxShareBehind(levels[i], slopes(i) / nParts);
         }
         return sum / levels.size();
     }

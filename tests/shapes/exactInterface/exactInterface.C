@@ -35,6 +35,7 @@ deformed sphere does not rotate, translate or drift.
 #include "fvCFD.H"
 
 #include "shapes/DeformedSphere.H"
+#include "shapes/PlaneVolume.H"
 #include "shapes/SphereVolume.H"
 
 #include <algorithm>
@@ -140,51 +141,11 @@ private:
         forAll(fractions, celli)
         {
             const boundBox box(mesh.points(), mesh.cellPoints()[celli], false);
-            fractions[celli] = boxFraction(box, on);
+            fractions[celli] = boxShareBehind(
+                normal_ & (box.centre() - on), cmptMultiply(normal_, box.span())
+            );
         }
         return fractions;
-    }
-
-    // What lies behind the plane of a box, as the alternating sum over its corners of
-    // the corner cut off beyond each (Scardovelli and Zaleski, J. Comp. Phys. 164).
-    scalar boxFraction(const boundBox& box, const point& on) const
-    {
-        scalar lowest = normal_ & (box.min() - on);
-        scalar widest = 0;
-        FixedList<scalar, 3> widths; // of the box, along the normal
-        for (direction d = 0; d < 3; ++d)
-        {
-            const scalar width = normal_[d] * box.span()[d];
-            lowest += std::min(width, scalar(0));
-            widths[d] = mag(width);
-            widest = std::max(widest, widths[d]);
-        }
-        scalar sum = 0, product = 1;
-        label dimensions = 0;
-        for (const scalar width : widths)
-        {
-            const bool counts = width > 1e-9 * widest;
-            product *= counts ? width : 1;
-            dimensions += counts;
-        }
-        for (label corner = 0; corner < 8; ++corner)
-        {
-            scalar depth = -lowest;
-            bool counts = true;
-            label sign = 1;
-            for (direction d = 0; d < 3; ++d)
-            {
-                if (corner & (1 << d))
-                {
-                    counts = counts && widths[d] > 1e-9 * widest;
-                    depth -= widths[d];
-                    sign = -sign;
-                }
-            }
-            sum += counts && depth > 0 ? sign * std::pow(depth, dimensions) : 0;
-        }
-        constexpr label factorial[] = {1, 1, 2, 6};
-        return std::clamp(sum / (factorial[dimensions] * product), 0.0, 1.0);
     }
 
     Shape shape_;
