@@ -76,20 +76,13 @@ const wordList functionObjectEntries{
     "field",
     "fields"};
 
-void checkKeys(const dictionary& dict, Shell shell)
+// `others` are allowed, but not told.
+void checkKeys(
+    const dictionary& dict, const wordList& allowed, const wordList& others = wordList()
+)
 {
-    wordList allowed(ownEntries);
-    wordHashSet known;
-    if (shell == Shell::functionObject)
-    {
-        allowed.append(word("onError"));
-        known.insert(functionObjectEntries);
-    }
-    else
-    {
-        allowed.append(word("methods"));
-    }
-    known.insert(allowed);
+    wordHashSet known(allowed);
+    known.insert(others);
     std::string list;
     for (const word& name : allowed)
     {
@@ -104,6 +97,14 @@ void checkKeys(const dictionary& dict, Shell shell)
                 << '.' << exit(FatalIOError);
         }
     }
+}
+
+void checkKeys(const dictionary& dict, Shell shell)
+{
+    wordList allowed(ownEntries);
+    const bool inSolver = shell == Shell::functionObject;
+    allowed.append(word(inSolver ? "onError" : "methods"));
+    checkKeys(dict, allowed, inSolver ? functionObjectEntries : wordList());
 }
 
 struct Range
@@ -316,22 +317,12 @@ void readLater(const dictionary& dict, Shell shell, Controls& controls)
     {
         return;
     }
-    const wordHashSet allowed{
-        "from", "reconstruction", "sharpening", "smooth", "files"};
+    const wordList allowed{"from", "reconstruction", "sharpening", "smooth", "files"};
     scalar before = -VGREAT;
     for (const entry& e : PtrList<entry>(dict.lookup("reconstructions")))
     {
         const dictionary& later = e.dict();
-        for (const entry& inner : later)
-        {
-            if (!allowed.found(inner.keyword()))
-            {
-                FatalIOErrorInFunction(later)
-                    << "Unknown entry '" << inner.keyword()
-                    << "'; allowed are from, reconstruction, sharpening, smooth, files."
-                    << exit(FatalIOError);
-            }
-        }
+        checkKeys(later, allowed);
         ReconstructionFrom change;
         change.from = later.get<scalar>("from");
         if (!(change.from > before))

@@ -49,7 +49,6 @@ closestOnEdges(const point& x, const point& a, const point& b, const point& c)
 
 } // namespace
 
-// Ericson, Real-Time Collision Detection (2005), section 5.1.5.
 FixedList<scalar, 3>
 planeWeights(const point& x, const point& a, const point& b, const point& c)
 {
@@ -65,6 +64,7 @@ planeWeights(const point& x, const point& a, const point& b, const point& c)
     return weights;
 }
 
+// Ericson, Real-Time Collision Detection (2005), section 5.1.5.
 SurfacePoint
 closestPoint(const point& x, const point& a, const point& b, const point& c)
 {

@@ -5,6 +5,7 @@
 
 #include "core/mesh/SurfaceLocator.H"
 #include "core/mesh/SurfaceTopology.H"
+#include "triPointRef.H"
 
 namespace Foam::stability
 {
@@ -15,11 +16,6 @@ namespace
 constexpr label nPasses = 20;
 constexpr scalar leastStep = 0.125;
 constexpr scalar leastArea = 0.25; // of what the triangle had
-
-vector areaVector(const pointField& x, const triFace& t)
-{
-    return 0.5 * ((x[t[1]] - x[t[0]]) ^ (x[t[2]] - x[t[0]]));
-}
 
 // May the triangles around have the point at its new place?
 bool admits(
@@ -35,8 +31,8 @@ bool admits(
         {
             x[k] = t[k] == pointi ? place : surface.points[t[k]];
         }
-        const vector before = areaVector(given, t);
-        const vector after = 0.5 * ((x[1] - x[0]) ^ (x[2] - x[0]));
+        const vector before = t.areaNormal(given);
+        const vector after = triPointRef(x[0], x[1], x[2]).areaNormal();
         if ((after & before) < leastArea * magSqr(before))
         {
             return false;

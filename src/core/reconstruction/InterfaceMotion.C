@@ -156,14 +156,14 @@ label settledCell(const CellComplex& complex, label celli, const point& x)
     return holdingCell(complex, around.cells, x);
 }
 
-void settleInCells(InterfaceMesh& mesh, const CellComplex& complex)
+void settleInCells(InterfaceMesh& mesh, const CellComplex& complex, label first)
 {
-    forAll(mesh.cells, pointi)
+    for (label pointi = first; pointi < mesh.cells.size(); ++pointi)
     {
         label& celli = mesh.cells[pointi];
         celli = settledCell(complex, celli, mesh.points[pointi]);
+        mesh.cellSizes[pointi] = complex.cellSizes()[celli];
     }
-    mesh.cellSizes = scalarField(complex.cellSizes(), mesh.cells);
 }
 
 } // namespace Foam::stability

@@ -59,13 +59,13 @@ bool Reconstruction::canSmooth(const std::string& method)
 std::unique_ptr<Reconstruction> Reconstruction::New(const ReconstructionOptions& options
 )
 {
-    std::string known;
-    for (const std::string& name : names())
-    {
-        known += (known.empty() ? "" : ", ") + name;
-    }
     if (std::find(names().begin(), names().end(), options.method) == names().end())
     {
+        std::string known;
+        for (const std::string& name : names())
+        {
+            known += (known.empty() ? "" : ", ") + name;
+        }
         throw BadInput(
             "The reconstruction \"" + options.method + "\" is unknown; known are "
             + known + "."

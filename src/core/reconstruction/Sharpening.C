@@ -4,7 +4,6 @@
 #include "core/reconstruction/Sharpening.H"
 
 #include "core/mesh/SurfaceTopology.H"
-#include "core/mesh/Rows.H"
 #include "core/reconstruction/CellStencil.H"
 #include "core/reconstruction/InterfaceMotion.H"
 #include "core/reconstruction/PlicFits.H"

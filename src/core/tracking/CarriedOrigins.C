@@ -57,11 +57,15 @@ List<SeamNode> CarriedOrigins::settled(const List<SeamNode>& nodes) const
     List<SeamNode> result(nodes);
     for (SeamNode& node : result)
     {
+        if (!node.isEnd || chart_.empty())
+        {
+            continue;
+        }
         const scalar radius = reach * node.cellSize;
         Match match;
         match.nearest = target_.locator().closest(node.x, radius);
         const SeamNode* end =
-            node.isEnd && match.nearest.triangle >= 0
+            match.nearest.triangle >= 0
                 ? chart_.seamEndNear(at(match, match.nearest.triangle), radius)
                 : nullptr;
         if (end)

@@ -16,8 +16,7 @@ namespace
 
 scalar signedArea(const vector2D& a, const vector2D& b, const vector2D& c)
 {
-    return 0.5
-           * ((b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x()));
+    return 0.5 * (b - a).perp(c - a);
 }
 
 label cornerOf(const triFace& t, label pointi)

@@ -263,7 +263,7 @@ void StabilityTracker::compare(const InterfaceMesh& extracted)
             transfer(mesh, onInterface, target, options_.transfer, chart_);
     }
     const CellComplex& complex = *latest_->complex;
-    settleInCells(mesh, complex); // what seams have added
+    settleInCells(mesh, complex, extracted.points.size()); // what seams have added
     const scalar interval = latest_->time - lastClassified_;
     result_.interface =
         describe(mesh, onInterface, Stability::attached, complex, interval);

@@ -6,16 +6,6 @@
 namespace Foam::stability
 {
 
-namespace
-{
-
-scalar twiceArea(const vector2D& a, const vector2D& b, const vector2D& c)
-{
-    return mag((b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x()));
-}
-
-} // namespace
-
 StartChart::StartChart(const InterfaceMesh& surface)
     : surface_(std::make_shared<const InterfaceMesh>(surface)),
       locator_(std::make_shared<const SurfaceLocator>(
@@ -49,7 +39,8 @@ StartChart::read(label trianglei, const point& origin, const vector2D& carried) 
     const pointField& x = surface_->points;
     const List<vector2D>& p = surface_->parameters;
     const scalar area = 2 * mag(surface_->areaVector(trianglei));
-    const scalar parameterArea = twiceArea(p[c[0]], p[c[1]], p[c[2]]);
+    const scalar parameterArea =
+        mag((p[c[1]] - p[c[0]]).perp(p[c[2]] - p[c[0]])); // twice it, as `area`
     Reading reading;
     if (area > 0 && parameterArea > 0)
     {
