@@ -43,21 +43,88 @@ struct Piece
     bool bubble() const { return enclosed.volume < 0; }
 };
 
+using Pieces = std::vector<Piece>; // per component
+
+// What no fill by alpha makes smaller than the limit need not be filled: an
+// isosurface encloses too little rather than too much.
+bool mayBeSubGrid(const Piece& piece)
+{
+    constexpr scalar largest = 2 * thinnestResolved;
+    return piece.closed && !piece.points.empty()
+           && radiusOf(mag(piece.enclosed.volume)) < largest * piece.cellSize;
+}
+
+// Tetrahedra from the first point of each piece, against round-off far from home.
+void addEnclosed(
+    const InterfaceMesh& mesh, const UList<label>& components, Pieces& pieces
+)
+{
+    for (const triFace& t : mesh.triangles)
+    {
+        Piece& piece = pieces[components[t[0]]];
+        const point& apex = mesh.points[piece.points[0]];
+        const point &a = mesh.points[t[0]], &b = mesh.points[t[1]],
+                    &c = mesh.points[t[2]];
+        const scalar volume = ((a - apex) & ((b - apex) ^ (c - apex))) / 6;
+        piece.enclosed.volume += volume;
+        piece.enclosed.first += volume * (apex + a + b + c) / 4;
+    }
+}
+
+Pieces piecesOf(const InterfaceMesh& mesh, const UList<label>& components)
+{
+    Pieces pieces;
+    label nPieces = 0;
+    for (const label component : components)
+    {
+        nPieces = std::max(nPieces, component + 1);
+    }
+    pieces.resize(nPieces);
+    std::vector<char> used(mesh.points.size(), 0);
+    for (const triFace& t : mesh.triangles)
+    {
+        used[t[0]] = used[t[1]] = used[t[2]] = 1;
+    }
+    forAll(components, pointi)
+    {
+        if (used[pointi])
+        {
+            Piece& piece = pieces[components[pointi]];
+            piece.points.push_back(pointi);
+            piece.bounds.add(mesh.points[pointi]);
+            piece.cellSize += mesh.cellSizes[pointi];
+        }
+    }
+    for (Piece& piece : pieces)
+    {
+        piece.cellSize /= std::max(piece.points.size(), std::size_t(1));
+    }
+    const SurfaceTopology topology(mesh.points.size(), mesh.triangles);
+    for (const SurfaceEdge& edge : topology.edges())
+    {
+        if (edge.nTriangles != 2)
+        {
+            pieces[components[edge.a]].closed = false;
+        }
+    }
+    addEnclosed(mesh, components, pieces);
+    return pieces;
+}
+
 class DropletSearch
 {
 public:
     DropletSearch(
-        const InterfaceMesh& mesh, const UList<label>& components,
+        const Pieces& pieces, const InterfaceMesh& mesh, const UList<label>& components,
         const FlowSnapshot& snapshot
     )
-        : mesh_(mesh), components_(components), complex_(*snapshot.complex),
-          snapshot_(snapshot)
+        : pieces_(pieces), mesh_(mesh), components_(components),
+          complex_(*snapshot.complex), snapshot_(snapshot)
     {
     }
 
     std::vector<Droplet> run()
     {
-        gatherPieces();
         std::vector<Droplet> found;
         for (std::size_t i = 0; i < pieces_.size(); ++i)
         {
@@ -75,68 +142,6 @@ public:
     }
 
 private:
-    // What no fill by alpha makes smaller than the limit need not be filled: an
-    // isosurface encloses too little rather than too much.
-    static bool mayBeSubGrid(const Piece& piece)
-    {
-        constexpr scalar largest = 2 * thinnestResolved;
-        return piece.closed && !piece.points.empty()
-               && radiusOf(mag(piece.enclosed.volume)) < largest * piece.cellSize;
-    }
-
-    void gatherPieces()
-    {
-        label nPieces = 0;
-        for (const label component : components_)
-        {
-            nPieces = std::max(nPieces, component + 1);
-        }
-        pieces_.resize(nPieces);
-        std::vector<char> used(mesh_.points.size(), 0);
-        for (const triFace& t : mesh_.triangles)
-        {
-            used[t[0]] = used[t[1]] = used[t[2]] = 1;
-        }
-        forAll(components_, pointi)
-        {
-            if (used[pointi])
-            {
-                Piece& piece = pieces_[components_[pointi]];
-                piece.points.push_back(pointi);
-                piece.bounds.add(mesh_.points[pointi]);
-                piece.cellSize += mesh_.cellSizes[pointi];
-            }
-        }
-        for (Piece& piece : pieces_)
-        {
-            piece.cellSize /= std::max(piece.points.size(), std::size_t(1));
-        }
-        const SurfaceTopology topology(mesh_.points.size(), mesh_.triangles);
-        for (const SurfaceEdge& edge : topology.edges())
-        {
-            if (edge.nTriangles != 2)
-            {
-                pieces_[components_[edge.a]].closed = false;
-            }
-        }
-        addEnclosed();
-    }
-
-    // Tetrahedra from the first point of each piece, against round-off far from home.
-    void addEnclosed()
-    {
-        for (const triFace& t : mesh_.triangles)
-        {
-            Piece& piece = pieces_[components_[t[0]]];
-            const point& apex = mesh_.points[piece.points[0]];
-            const point &a = mesh_.points[t[0]], &b = mesh_.points[t[1]],
-                        &c = mesh_.points[t[2]];
-            const scalar volume = ((a - apex) & ((b - apex) ^ (c - apex))) / 6;
-            piece.enclosed.volume += volume;
-            piece.enclosed.first += volume * (apex + a + b + c) / 4;
-        }
-    }
-
     Droplet dropletOf(const Piece& piece, label component)
     {
         const std::optional<Moments> filled = fill(piece, component);
@@ -228,11 +233,11 @@ private:
 
     static constexpr label free = -1, shared = -2;
 
+    const Pieces& pieces_;
     const InterfaceMesh& mesh_;
     const UList<label>& components_;
     const CellComplex& complex_;
     const FlowSnapshot& snapshot_;
-    std::vector<Piece> pieces_; // per component
     std::optional<VolumeFractions> fractions_;
     std::vector<label> homes_;  // per cell: the component of its points
     std::vector<label> visits_; // per cell: the component that came last
@@ -265,7 +270,26 @@ std::vector<Droplet> subGridDroplets(
     const FlowSnapshot& snapshot
 )
 {
-    return DropletSearch(mesh, components, snapshot).run();
+    const Pieces pieces(piecesOf(mesh, components));
+    return DropletSearch(pieces, mesh, components, snapshot).run();
+}
+
+List<bool>
+pointsOfSmallPieces(const InterfaceMesh& mesh, const UList<label>& components)
+{
+    const Pieces pieces(piecesOf(mesh, components));
+    List<bool> result(mesh.points.size(), false);
+    for (const Piece& piece : pieces)
+    {
+        if (mayBeSubGrid(piece))
+        {
+            for (const label pointi : piece.points)
+            {
+                result[pointi] = true;
+            }
+        }
+    }
+    return result;
 }
 
 List<bool>

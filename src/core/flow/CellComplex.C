@@ -5,8 +5,13 @@
 
 #include "core/Errors.H"
 
+#include "DynamicList.H"
+#include "FixedList.H"
+
 #include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace Foam::stability
 {
@@ -14,31 +19,50 @@ namespace Foam::stability
 namespace
 {
 
+// The points of a face from the lowest towards the lower of its neighbours. Says
+// whether that is against the direction of the face.
+bool inCanonicalDirection(const face& f, DynamicList<label>& points)
+{
+    const label n = f.size();
+    const label first = std::min_element(f.begin(), f.end()) - f.begin();
+    const bool reversed = f[f.rcIndex(first)] < f[f.fcIndex(first)];
+    points.setSize(n);
+    for (label k = 0; k < n; ++k)
+    {
+        points[k] = f[(reversed ? first - k + n : first + k) % n];
+    }
+    return reversed;
+}
+
 // Area-weighted centre and area vector of a polygon: triangles around the mean of
-// its points, as OpenFOAM's primitiveMesh.
+// its points, as OpenFOAM's primitiveMesh. To the last bit the same from both sides.
 void faceGeometry(const face& f, const pointField& points, point& centre, vector& area)
 {
+    DynamicList<label, 16> ring;
+    const bool reversed = inCanonicalDirection(f, ring);
     point mean(Zero);
-    for (const label pointi : f)
+    for (const label pointi : ring)
     {
         mean += points[pointi];
     }
-    mean /= f.size();
+    mean /= ring.size();
 
     vector sum(Zero);
-    for (label i = 0; i < f.size(); ++i)
+    const auto corner = [&](label i) -> const point&
+    { return points[ring[i % ring.size()]]; };
+    for (label i = 0; i < ring.size(); ++i)
     {
-        sum += 0.5 * ((points[f[i]] - mean) ^ (points[f[f.fcIndex(i)]] - mean));
+        sum += 0.5 * ((corner(i) - mean) ^ (corner(i + 1) - mean));
     }
-    area = sum;
+    area = reversed ? -sum : sum;
 
     const vector direction = sum / max(mag(sum), VSMALL);
     scalar weight = 0;
     vector moment(Zero);
-    for (label i = 0; i < f.size(); ++i)
+    for (label i = 0; i < ring.size(); ++i)
     {
-        const point& a = points[f[i]];
-        const point& b = points[f[f.fcIndex(i)]];
+        const point& a = corner(i);
+        const point& b = corner(i + 1);
         const scalar part = 0.5 * (((a - mean) ^ (b - mean)) & direction);
         weight += part;
         moment += part * (a + b - 2 * mean) / 3;
@@ -57,7 +81,45 @@ scalar tetQuality(const point& apex, const point& a, const point& b, const point
     return ((da ^ db) & dc) / max(pow3(longest), VSMALL);
 }
 
+scalar shareOfTetrahedra(const Rows& cellFaces)
+{
+    label n = 0;
+    for (label celli = 0; celli < cellFaces.size(); ++celli)
+    {
+        n += cellFaces[celli].size() == 4;
+    }
+    return scalar(n) / cellFaces.size();
+}
+
 } // namespace
+
+Rows facesOfCells(const CellComplexInput& mesh)
+{
+    using Key = FixedList<label, 3>; // the lowest points
+    std::vector<std::pair<Key, label>> order;
+    order.reserve(mesh.faces.size());
+    forAll(mesh.faces, facei)
+    {
+        labelList points(mesh.faces[facei]);
+        std::partial_sort(points.begin(), points.begin() + 3, points.end());
+        order.push_back({Key{points[0], points[1], points[2]}, facei});
+    }
+    std::sort(order.begin(), order.end());
+    return Rows(
+        mesh.owner.empty() ? 0 : max(mesh.owner) + 1,
+        [&](const auto& add)
+        {
+            for (const auto& [key, facei] : order)
+            {
+                add(mesh.owner[facei], facei);
+                if (facei < mesh.neighbour.size())
+                {
+                    add(mesh.neighbour[facei], facei);
+                }
+            }
+        }
+    );
+}
 
 CellComplex::CellComplex(CellComplexInput input) : input_(std::move(input))
 {
@@ -70,6 +132,14 @@ CellComplex::CellComplex(CellComplexInput input) : input_(std::move(input))
     computeCells();
     chooseTetBases();
     binCells();
+    forAll(input_.globalCells, celli)
+    {
+        localCells_.insert(input_.globalCells[celli], celli);
+    }
+    if (!input_.whole)
+    {
+        input_.whole = WholeMesh{bounds_, shareOfTetrahedra(cellFaces_)};
+    }
 }
 
 void CellComplex::computeAddressing()
@@ -77,20 +147,7 @@ void CellComplex::computeAddressing()
     const label nCells = max(input_.owner) + 1;
     cellCentres_.setSize(nCells);
 
-    cellFaces_ = Rows(
-        nCells,
-        [&](const auto& add)
-        {
-            for (label facei = 0; facei < nFaces(); ++facei)
-            {
-                add(owner()[facei], facei);
-                if (facei < nInternalFaces())
-                {
-                    add(neighbour()[facei], facei);
-                }
-            }
-        }
-    );
+    cellFaces_ = facesOfCells(input_);
 
     pointCells_ = Rows(
         nPoints(),
@@ -115,15 +172,19 @@ void CellComplex::computeAddressing()
     );
 
     nearWall_.setSize(nCells, false);
+    atRim_.setSize(nCells, false);
     pointBoundaryFaces_ = Rows(
         nPoints(),
         [&](const auto& add)
         {
             for (label facei = nInternalFaces(); facei < nFaces(); ++facei)
             {
-                for (const label pointi : faces()[facei])
+                if (kinds()[facei - nInternalFaces()] != BoundaryKind::beyond)
                 {
-                    add(pointi, facei);
+                    for (const label pointi : faces()[facei])
+                    {
+                        add(pointi, facei);
+                    }
                 }
             }
         }
@@ -133,6 +194,16 @@ void CellComplex::computeAddressing()
         if (kinds()[i] == BoundaryKind::wall)
         {
             nearWall_[owner()[nInternalFaces() + i]] = true;
+        }
+        else if (kinds()[i] == BoundaryKind::beyond)
+        {
+            for (const label pointi : faces()[nInternalFaces() + i])
+            {
+                for (const label celli : pointCells_[pointi])
+                {
+                    atRim_[celli] = true;
+                }
+            }
         }
     }
 }
@@ -175,7 +246,7 @@ void CellComplex::computeCells()
         if (!(volume > VSMALL))
         {
             throw NumericalFailure(
-                "Cell " + std::to_string(celli) + " of the mesh has the volume "
+                "The cell of the mesh around " + textOf(estimate) + " has the volume "
                 + std::to_string(volume) + " m3: run checkMesh."
             );
         }

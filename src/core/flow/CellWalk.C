@@ -26,6 +26,7 @@ enum class Ended : unsigned char
 {
     found,
     boundary,
+    elsewhere,
     failed
 };
 
@@ -35,6 +36,10 @@ Ended walk(const CellComplex& complex, const point& x, CellHint& hint, CellTet& 
     label previous = -1;
     for (label n = 0; n < maxCells; ++n)
     {
+        if (!complex.complete(hint.cell))
+        {
+            return Ended::elsewhere;
+        }
         if (!chooseTet(complex, x, hint, tet))
         {
             return Ended::failed;
@@ -91,7 +96,7 @@ Ended find(const CellComplex& complex, const point& x, CellHint& hint, CellTet& 
     {
         const Ended ended = walk(complex, x, hint, tet);
         // On the way from a distant hint an obstacle proves nothing.
-        if (ended == Ended::found
+        if (ended == Ended::found || ended == Ended::elsewhere
             || (ended == Ended::boundary && within(complex, start, x, trusted)))
         {
             return ended;
@@ -232,6 +237,11 @@ Location locate(const CellComplex& complex, const point& x, CellHint& hint)
         open = open || complex.kinds()[location.boundaryFace] == BoundaryKind::open;
         location.position = putBack(complex, tet, hint.cell, location.position);
         ended = find(complex, location.position, hint, tet);
+    }
+    if (ended == Ended::elsewhere)
+    {
+        location.where = Location::Where::elsewhere;
+        return location;
     }
     if (ended == Ended::failed)
     {

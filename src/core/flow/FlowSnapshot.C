@@ -28,35 +28,39 @@ void checkSize(const std::string& name, label size, label wanted)
     }
 }
 
-void checkAlpha(const std::string& name, const scalarField& values, label wanted)
+void checkAlpha(
+    const std::string& name, const scalarField& values, const UList<point>& places
+)
 {
-    checkSize(name, values.size(), wanted);
+    checkSize(name, values.size(), places.size());
     forAll(values, i)
     {
         const scalar value = values[i];
         if (!std::isfinite(value))
         {
-            throw BadInput(name + " is not finite at index " + std::to_string(i) + ".");
+            throw BadInput(name + " is not finite at " + textOf(places[i]) + ".");
         }
         if (value < lowestAlpha || value > highestAlpha)
         {
             throw BadInput(
-                name + " is " + std::to_string(value) + " at index " + std::to_string(i)
+                name + " is " + std::to_string(value) + " at " + textOf(places[i])
                 + "; allowed is 0 to 1, by 0.1 more or less."
             );
         }
     }
 }
 
-void checkVelocity(const std::string& name, const vectorField& values, label wanted)
+void checkVelocity(
+    const std::string& name, const vectorField& values, const UList<point>& places
+)
 {
-    checkSize(name, values.size(), wanted);
+    checkSize(name, values.size(), places.size());
     forAll(values, i)
     {
         const vector& U = values[i];
         if (!std::isfinite(U.x()) || !std::isfinite(U.y()) || !std::isfinite(U.z()))
         {
-            throw BadInput(name + " is not finite at index " + std::to_string(i) + ".");
+            throw BadInput(name + " is not finite at " + textOf(places[i]) + ".");
         }
     }
 }
@@ -65,8 +69,10 @@ void checkVelocity(const std::string& name, const vectorField& values, label wan
 
 void FlowSnapshot::check() const
 {
-    const label nCells = complex->nCells();
-    const label nBoundary = complex->nBoundaryFaces();
+    const pointField& cells = complex->cellCentres();
+    const SubList<point> boundary(
+        complex->faceCentres(), complex->nBoundaryFaces(), complex->nInternalFaces()
+    );
     if (alphas.empty() || alphas.size() != boundaryAlphas.size())
     {
         throw BadInput(
@@ -75,11 +81,11 @@ void FlowSnapshot::check() const
     }
     forAll(alphas, i)
     {
-        checkAlpha("The volume fraction in the cells", alphas[i], nCells);
-        checkAlpha("The volume fraction on the boundary", boundaryAlphas[i], nBoundary);
+        checkAlpha("The volume fraction in the cells", alphas[i], cells);
+        checkAlpha("The volume fraction on the boundary", boundaryAlphas[i], boundary);
     }
-    checkVelocity("The velocity in the cells", U, nCells);
-    checkVelocity("The velocity on the boundary", boundaryU, nBoundary);
+    checkVelocity("The velocity in the cells", U, cells);
+    checkVelocity("The velocity on the boundary", boundaryU, boundary);
 }
 
 } // namespace Foam::stability

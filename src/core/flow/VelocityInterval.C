@@ -34,7 +34,8 @@ VelocitySample sampleAt(const CellComplex& complex, const Location& location)
 {
     VelocitySample sample;
     sample.position = location.position;
-    if (location.where == Location::Where::nowhere)
+    if (location.where == Location::Where::nowhere
+        || location.where == Location::Where::elsewhere)
     {
         return sample;
     }
@@ -93,6 +94,12 @@ VelocitySample VelocityInterval::sample(
     // The snapshot that is nearer in time says where x is.
     VelocitySample sample = f < 0.5 ? sampleAt(complexOf(*earlier_), earlier)
                                     : sampleAt(complexOf(*later_), later);
+    if (later.where == Location::Where::elsewhere
+        || earlier.where == Location::Where::elsewhere)
+    {
+        sample.where = VelocitySample::Where::elsewhere;
+        return sample;
+    }
     if (later.where == Location::Where::nowhere
         || earlier.where == Location::Where::nowhere)
     {
@@ -139,6 +146,8 @@ point VelocityInterval::exitPoint(
         else
         {
             low = middle;
+            // What is in a cell of another rank is inside.
+            current = location.where == Location::Where::elsewhere ? hint : current;
         }
     }
     patch = complex->patches()[exit.boundaryFace];

@@ -163,11 +163,12 @@ vectorField taubinDisplacements(
     return vectorField(x - mesh.points);
 }
 
-scalar sweptVolume(const InterfaceMesh& mesh, const vectorField& displacements)
+scalarField sweptVolumes(const InterfaceMesh& mesh, const vectorField& displacements)
 {
-    scalar sum = 0;
-    for (const triFace& t : mesh.triangles)
+    scalarField volumes(mesh.triangles.size());
+    forAll(volumes, trianglei)
     {
+        const triFace& t = mesh.triangles[trianglei];
         const vector mean =
             (displacements[t[0]] + displacements[t[1]] + displacements[t[2]]) / 3;
         // The area vector is quadratic in time: Simpson's rule is exact.
@@ -178,9 +179,9 @@ scalar sweptVolume(const InterfaceMesh& mesh, const vectorField& displacements)
             const point c = mesh.points[t[2]] + time * displacements[t[2]];
             return vector(0.5 * ((b - a) ^ (c - a)));
         };
-        sum += (mean & (area(0) + 4 * area(0.5) + area(1))) / 6;
+        volumes[trianglei] = (mean & (area(0) + 4 * area(0.5) + area(1))) / 6;
     }
-    return sum;
+    return volumes;
 }
 
 } // namespace Foam::stability

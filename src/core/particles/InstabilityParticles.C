@@ -63,7 +63,7 @@ void InstabilityParticles::seed(
         particle.path.id = nextId_++;
         particle.path.x = x;
         particle.path.time = time;
-        particle.path.hint.cell = celli;
+        particle.path.hint.cell = celli < 0 ? celli : complex.globalCell(celli);
         particle.detachmentTime = time;
         particle.detachmentPosition = x;
         particle.nearWall = celli >= 0 && complex.nearWall(celli);

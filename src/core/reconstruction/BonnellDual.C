@@ -3,6 +3,7 @@
 
 #include "core/reconstruction/BonnellDual.H"
 #include "core/reconstruction/MarchingTets.H"
+#include "core/flow/CanonicalOrder.H"
 #include "core/reconstruction/VolumeFractions.H"
 
 #include <algorithm>
@@ -41,7 +42,8 @@ class DualExtraction
 public:
     DualExtraction(const CellComplex& complex, const VolumeFractions& fractions)
         : complex_(complex), fractions_(fractions),
-          quantum_(1e-6 * complex.bounds().mag()), active_(complex.nPoints(), false)
+          quantum_(1e-6 * complex.whole().bounds.mag()),
+          active_(complex.nPoints(), false)
     {
     }
 
@@ -49,7 +51,7 @@ public:
     {
         for (label pointi = 0; pointi < complex_.nPoints(); ++pointi)
         {
-            active_[pointi] = differs(pointi);
+            active_[pointi] = isKnown(pointi) && differs(pointi);
             if (active_[pointi])
             {
                 cutDualCell(pointi, tets);
@@ -58,11 +60,24 @@ public:
         for (label facei = complex_.nInternalFaces(); facei < complex_.nFaces();
              ++facei)
         {
-            closeFace(facei, tets);
+            if (complex_.complete(complex_.owner()[facei]))
+            {
+                closeFace(facei, tets);
+            }
         }
     }
 
 private:
+    // Are all cells around the point there?
+    bool isKnown(label pointi) const
+    {
+        const UList<label> cells = complex_.pointCells()[pointi];
+        return std::any_of(
+            cells.begin(), cells.end(),
+            [&](label celli) { return complex_.complete(celli); }
+        );
+    }
+
     bool cellInside(label celli) const
     {
         return VolumeFractions::inside(fractions_.cells[celli]);
@@ -161,7 +176,7 @@ private:
         const point& y = complex_.cellCentres()[b];
         for (direction d = 0; d < 3; ++d)
         {
-            const scalar origin = complex_.bounds().min()[d];
+            const scalar origin = complex_.whole().bounds.min()[d];
             const scalar xi = std::round((x[d] - origin) / quantum_);
             const scalar yi = std::round((y[d] - origin) / quantum_);
             if (xi != yi)

@@ -59,9 +59,10 @@ FitBlend::FitBlend(const UList<InterfaceFit>& fits, scalar reach)
     }
 }
 
-template<class Visit>
-void FitBlend::visitNear(const point& x, const Visit& visit) const
+// Ascending: the sums of a blend must not depend on the boxes.
+void FitBlend::near(const point& x, std::vector<label>& found) const
 {
+    found.clear();
     for (const Level& level : levels_)
     {
         if (level.boxes.empty())
@@ -87,7 +88,7 @@ void FitBlend::visitNear(const point& x, const Visit& visit) const
                         {
                             if (magSqr(x - entry.centre) < sqr(level.width))
                             {
-                                visit(fits_[entry.fit]);
+                                found.push_back(entry.fit);
                             }
                         }
                     }
@@ -95,6 +96,7 @@ void FitBlend::visitNear(const point& x, const Visit& visit) const
             }
         }
     }
+    std::sort(found.begin(), found.end());
 }
 
 BlendedDistance FitBlend::at(const point& x, const vector& normal) const
@@ -117,7 +119,12 @@ BlendedDistance FitBlend::at(const point& x, const vector& normal) const
         gradients += weight * d.gradient;
         weights += weight;
     };
-    visitNear(x, blend);
+    static thread_local std::vector<label> found;
+    near(x, found);
+    for (const label i : found)
+    {
+        blend(fits_[i]);
+    }
     constexpr scalar least = 1e-9;
     if (weights > least)
     {

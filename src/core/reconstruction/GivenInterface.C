@@ -7,6 +7,7 @@
 #include "core/mesh/SurfaceTopology.H"
 #include "core/reconstruction/CellPlacement.H"
 #include "core/reconstruction/InterfaceMotion.H"
+#include "core/flow/CanonicalOrder.H"
 #include "core/reconstruction/VolumeFractions.H"
 
 #include <algorithm>
@@ -20,13 +21,6 @@ namespace Foam::stability
 
 namespace
 {
-
-std::string textOf(const point& x)
-{
-    std::ostringstream os;
-    os << '(' << x.x() << ' ' << x.y() << ' ' << x.z() << ')';
-    return os.str();
-}
 
 [[noreturn]] void fail(const GivenSurface& surface, const std::string& text)
 {
@@ -127,7 +121,7 @@ public:
     Placement(const GivenSurface& surface, const CellComplex& complex)
         : surface_(surface), complex_(complex)
     {
-        const boundBox& bounds = complex.bounds();
+        const boundBox& bounds = complex.whole().bounds;
         const scalar largest =
             max(cmptMax(cmptMag(bounds.min())), cmptMax(cmptMag(bounds.max())));
         roundOff_ = std::numeric_limits<float>::epsilon() * largest;
@@ -190,7 +184,7 @@ bool isClosed(const InterfaceMesh& mesh)
 // [m3] of the first material, which may be the one outside.
 scalar enclosed(const InterfaceMesh& mesh, const CellComplex& complex)
 {
-    const point origin = complex.bounds().centre();
+    const point origin = complex.whole().bounds.centre();
     scalar flux = 0;
     forAll(mesh.triangles, trianglei)
     {

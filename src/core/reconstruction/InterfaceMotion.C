@@ -129,11 +129,18 @@ scalar moveInterface(InterfaceMesh& mesh, const CellComplex& complex, vectorFiel
         }
         cells[pointi] = holdingCell(complex, around.cells, x + moves[pointi]);
     }
-    const scalar swept = sweptVolume(mesh, moves);
+    const scalarField swept(sweptVolumes(mesh, moves));
     mesh.points += moves;
     mesh.cells = cells;
     mesh.cellSizes = scalarField(complex.cellSizes(), cells);
-    return swept;
+    scalar sum = 0;
+    forAll(swept, trianglei)
+    {
+        const bool own =
+            mesh.triangleCells.empty() || complex.own(mesh.triangleCells[trianglei]);
+        sum += own ? swept[trianglei] : 0;
+    }
+    return sum;
 }
 
 label settledCell(const CellComplex& complex, label celli, const point& x)

@@ -4,6 +4,7 @@
 #include "core/reconstruction/IsoAlpha.H"
 #include "core/reconstruction/InterfaceMotion.H"
 #include "core/reconstruction/MarchingTets.H"
+#include "core/flow/CanonicalOrder.H"
 #include "core/reconstruction/VolumeFractions.H"
 
 #include <algorithm>
@@ -33,7 +34,7 @@ public:
         const List<bool> near = cellsAtActivePoints();
         for (label facei = 0; facei < complex_.nFaces(); ++facei)
         {
-            if (near[complex_.owner()[facei]] && isActive(facei))
+            if (near[complex_.owner()[facei]] && isKnown(facei) && isActive(facei))
             {
                 cutFace(facei, tets);
             }
@@ -41,12 +42,23 @@ public:
         for (label facei = complex_.nInternalFaces(); facei < complex_.nFaces();
              ++facei)
         {
-            closeFace(facei, tets);
+            if (isKnown(facei))
+            {
+                closeFace(facei, tets);
+            }
         }
     }
 
 private:
     static constexpr scalar unknown = -1;
+
+    // Are there all cells that say what alpha is at its points?
+    bool isKnown(label facei) const
+    {
+        return complex_.complete(complex_.owner()[facei])
+               && (facei >= complex_.nInternalFaces()
+                   || complex_.complete(complex_.neighbour()[facei]));
+    }
 
     bool inside(label celli) const
     {
@@ -244,11 +256,6 @@ private:
     List<bool> active_;
 };
 
-} // namespace
-
-namespace
-{
-
 // Points that will be moved anyhow keep off the ends of edges, against slivers; not so
 // in tetrahedra, where triangles would fold.
 scalar marginOf(const CellComplex& complex, const ReconstructionOptions& options)
@@ -258,12 +265,7 @@ scalar marginOf(const CellComplex& complex, const ReconstructionOptions& options
     {
         return narrow;
     }
-    label nTetrahedra = 0;
-    for (label celli = 0; celli < complex.nCells(); ++celli)
-    {
-        nTetrahedra += complex.cellFaces()[celli].size() == 4;
-    }
-    return nTetrahedra > fewTetrahedra * complex.nCells() ? narrow : wide;
+    return complex.whole().tetrahedra > fewTetrahedra ? narrow : wide;
 }
 
 } // namespace

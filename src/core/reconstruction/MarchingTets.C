@@ -43,6 +43,7 @@ scalar MarchingTets::cutShare(const Vertex& in, const Vertex& out) const
 
 void MarchingTets::cut(const FixedList<Vertex, 4>& tet, const UList<label>& cells)
 {
+    lowestCell_ = min(cells);
     FixedList<bool, 4> in;
     label nIn = 0;
     for (label i = 0; i < 4; ++i)
@@ -118,6 +119,7 @@ label MarchingTets::cutEdge(
 void MarchingTets::addTriangle(label a, label b, label c)
 {
     triangles_.append(triFace(a, b, c));
+    triangleCells_.append(lowestCell_);
 }
 
 void MarchingTets::addQuad(const FixedList<label, 4>& q)
@@ -177,15 +179,22 @@ void MarchingTets::close(const FixedList<Vertex, 3>& triangle, label facei)
         }
         share = nIn == 1 ? share : 1 - share;
     }
+    if (!complex_.own(complex_.owner()[facei]))
+    {
+        return;
+    }
     const point& a = triangle[0].position;
     const vector area = 0.5 * ((triangle[1].position - a) ^ (triangle[2].position - a));
-    boundaryFlux_ += share * ((a - complex_.bounds().centre()) & area);
+    boundaryFlux_ += share * ((a - complex_.whole().bounds.centre()) & area);
 }
 
 void MarchingTets::closeWhole(label facei)
 {
-    const vector arm = complex_.faceCentres()[facei] - complex_.bounds().centre();
-    boundaryFlux_ += arm & complex_.faceAreas()[facei];
+    const vector arm = complex_.faceCentres()[facei] - complex_.whole().bounds.centre();
+    if (complex_.own(complex_.owner()[facei]))
+    {
+        boundaryFlux_ += arm & complex_.faceAreas()[facei];
+    }
 }
 
 // The lowest face, so that the order of the visits does not matter.
@@ -203,10 +212,15 @@ void MarchingTets::markBoundary(
 
 scalar MarchingTets::volume() const
 {
-    const point origin = complex_.bounds().centre();
+    const point origin = complex_.whole().bounds.centre();
     scalar flux = boundaryFlux_;
-    for (const triFace& t : triangles_)
+    forAll(triangles_, trianglei)
     {
+        if (!complex_.own(triangleCells_[trianglei]))
+        {
+            continue;
+        }
+        const triFace& t = triangles_[trianglei];
         const vector a = points_[t[0]] - origin;
         const vector b = points_[t[1]] - origin;
         const vector c = points_[t[2]] - origin;
@@ -220,6 +234,7 @@ InterfaceMesh MarchingTets::takeMesh()
     InterfaceMesh mesh;
     mesh.points.transfer(points_);
     mesh.triangles.transfer(triangles_);
+    mesh.triangleCells.transfer(triangleCells_);
     mesh.cells.transfer(cells_);
     mesh.boundaryFaces.transfer(boundaryFaces_);
     mesh.cellSizes.setSize(mesh.points.size());

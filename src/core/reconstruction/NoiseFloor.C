@@ -14,13 +14,12 @@ namespace Foam::stability
 namespace
 {
 
-ReconstructionResult
-otherMethod(const FlowSnapshot& snapshot, const ReconstructionOptions& options)
+ReconstructionOptions otherThan(const ReconstructionOptions& options)
 {
     ReconstructionOptions other;
     other.method = options.method == "bonnell" ? "isoAlpha" : "bonnell";
     other.nThreads = options.nThreads;
-    return Reconstruction::New(other)->extract(snapshot);
+    return other;
 }
 
 } // namespace
@@ -77,20 +76,17 @@ differenceFloor(const InterfaceMesh& mesh, const InterfaceMesh& other, label nTh
 }
 
 scalar noiseFloor(
-    const ReconstructionResult& result, const FlowSnapshot& snapshot,
-    const ReconstructionOptions& options
+    const ReconstructionResult& result, const ReconstructionOptions& options,
+    const std::function<InterfaceMesh(const ReconstructionOptions&)>& extract
 )
 {
-    if (result.mesh.empty())
+    // Not by what the result holds: ranks without the whole must take the same way.
+    if (options.sharpening != Sharpening::none)
     {
-        return 0;
+        return result.sharpening ? spreadFloor(result.sharpening->spread) : 0;
     }
-    if (result.sharpening)
-    {
-        return spreadFloor(result.sharpening->spread);
-    }
-    const ReconstructionResult other = otherMethod(snapshot, options);
-    return differenceFloor(result.mesh, other.mesh, options.nThreads);
+    const InterfaceMesh other(extract(otherThan(options)));
+    return differenceFloor(result.mesh, other, options.nThreads);
 }
 
 } // namespace Foam::stability

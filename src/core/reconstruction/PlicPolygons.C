@@ -3,6 +3,7 @@
 
 #include "core/reconstruction/PlicPolygons.H"
 #include "core/reconstruction/CellPlacement.H"
+#include "core/reconstruction/InterfaceOrder.H"
 #include "core/reconstruction/PlicFits.H"
 #include "DynamicList.H"
 
@@ -70,13 +71,13 @@ public:
         }
         if (n == 3)
         {
-            triangles_.append(triFace(first, first + 1, first + 2));
+            addTriangle(celli, triFace(first, first + 1, first + 2));
             return true;
         }
         addPoint(celli, centroid(polygon));
         for (label k = 0; k < n; ++k)
         {
-            triangles_.append(triFace(first + n, first + k, first + (k + 1) % n));
+            addTriangle(celli, triFace(first + n, first + k, first + (k + 1) % n));
         }
         return true;
     }
@@ -86,6 +87,7 @@ public:
         InterfaceMesh mesh;
         mesh.points.transfer(points_);
         mesh.triangles.transfer(triangles_);
+        mesh.triangleCells.transfer(triangleCells_);
         mesh.cells.transfer(cells_);
         mesh.boundaryFaces.transfer(boundaryFaces_);
         mesh.cellSizes = scalarField(complex_.cellSizes(), mesh.cells);
@@ -94,6 +96,12 @@ public:
     }
 
 private:
+    void addTriangle(label celli, const triFace& t)
+    {
+        triangles_.append(t);
+        triangleCells_.append(celli);
+    }
+
     void addPoint(label celli, const point& x)
     {
         constexpr scalar onBoundary = 1e-9; // in cells
@@ -106,6 +114,7 @@ private:
     const CellComplex& complex_;
     DynamicList<point> points_;
     DynamicList<triFace> triangles_;
+    DynamicList<label> triangleCells_;
     DynamicList<label> cells_;
     DynamicList<label> boundaryFaces_;
 };
@@ -156,9 +165,12 @@ ReconstructionResult PlicPolygons::extract(const FlowSnapshot& snapshot) const
     PolygonSoup soup(complex);
     forAll(plic.fits, i)
     {
-        result.nFailed += !soup.add(plic.fits[i].cell, polygons[i]);
+        const label celli = plic.fits[i].cell;
+        result.nFailed += !soup.add(celli, polygons[i]) && complex.own(celli);
     }
     result.mesh = soup.takeMesh();
+    orderByCells(result.mesh);
+    result.joined = false;
     result.alphaVolume = fractions.volume;
     result.volume = fractions.volume;
     return result;

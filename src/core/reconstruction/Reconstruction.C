@@ -6,6 +6,7 @@
 #include "core/reconstruction/BonnellDual.H"
 #include "core/reconstruction/GivenInterface.H"
 #include "core/reconstruction/InterfaceMotion.H"
+#include "core/reconstruction/InterfaceOrder.H"
 #include "core/reconstruction/InterfaceSmoothing.H"
 #include "core/reconstruction/IsoAlpha.H"
 #include "core/reconstruction/MarchingTets.H"
@@ -96,6 +97,7 @@ ReconstructionResult Reconstruction::finish(
     result.alphaVolume = alphaVolume;
     result.volume = tets.volume();
     result.mesh = tets.takeMesh();
+    orderByCells(result.mesh);
     if (options.smooth > 0)
     {
         result.volume += smoothInterface(result.mesh, complex, options.smooth);

@@ -94,25 +94,13 @@ VolumeFractions::VolumeFractions(const FlowSnapshot& snapshot)
     const scalarField& V = snapshot.complex->cellVolumes();
     forAll(cells, celli)
     {
-        volume += cells[celli] * V[celli];
+        volume += snapshot.complex->own(celli) ? cells[celli] * V[celli] : 0;
     }
 }
 
 scalar VolumeFractions::rounded(scalar alpha)
 {
     return std::round(alpha * 1e12) / 1e12; // 1/2 stays exact
-}
-
-bool beforeByPosition(const point& a, const point& b)
-{
-    for (direction d = 0; d < 3; ++d)
-    {
-        if (a[d] != b[d])
-        {
-            return a[d] < b[d];
-        }
-    }
-    return false;
 }
 
 } // namespace Foam::stability

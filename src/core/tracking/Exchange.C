@@ -8,6 +8,14 @@
 namespace Foam::stability
 {
 
+ReconstructionResult
+SerialExchange::gather(const ReconstructionResult& local, const CellComplex&) const
+{
+    ReconstructionResult whole(local);
+    whole.mesh.triangleCells.clear();
+    return whole;
+}
+
 void SerialExchange::agree(const std::string& failure) const
 {
     if (!failure.empty())

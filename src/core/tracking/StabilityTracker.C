@@ -46,11 +46,6 @@ void add(IntegrationCounts& sum, const IntegrationCounts& part)
     sum.nElsewhere += part.nElsewhere;
 }
 
-scalar largestCell(const InterfaceMesh& mesh)
-{
-    return mesh.cellSizes.empty() ? 0 : max(mesh.cellSizes);
-}
-
 } // namespace
 
 StabilityTracker::StabilityTracker(
@@ -99,15 +94,51 @@ void StabilityTracker::start(std::shared_ptr<const FlowSnapshot> snapshot)
     lastClassified_ = latest_->time;
 }
 
-IntegrationCounts
-StabilityTracker::advanceAll(UList<Pathline>& paths, const Velocity& velocity) const
+void StabilityTracker::together(const std::function<void()>& work) const
+{
+    if (exchange_.nRanks() == 1)
+    {
+        work();
+        return;
+    }
+    std::string failure;
+    try
+    {
+        work();
+    }
+    catch (const std::exception& caught)
+    {
+        failure = caught.what();
+    }
+    exchange_.agree(failure);
+}
+
+IntegrationCounts StabilityTracker::advanceAll(
+    DynamicList<Pathline>& paths, const Velocity& velocity
+) const
 {
     IntegrationCounts counts;
-    const auto advanceHere = [&](UList<Pathline>& here)
-    { add(counts, stability::advance(here, velocity, options_.integration)); };
-    advanceHere(paths);
-    exchange_.travel(paths, advanceHere);
+    exchange_.travel(
+        paths, *latest_->complex,
+        [&](UList<Pathline>& here)
+        { add(counts, stability::advance(here, velocity, options_.integration)); }
+    );
     return counts;
+}
+
+IntegrationCounts StabilityTracker::sumOf(const IntegrationCounts& here) const
+{
+    List<scalar> values{
+        scalar(here.nSteps), scalar(here.nRejected), scalar(here.nLeft),
+        scalar(here.nStuck), scalar(here.nLost)};
+    exchange_.sum(values);
+    IntegrationCounts all;
+    all.nSteps = label(values[0]);
+    all.nRejected = label(values[1]);
+    all.nLeft = label(values[2]);
+    all.nStuck = label(values[3]);
+    all.nLost = label(values[4]);
+    return all;
 }
 
 void StabilityTracker::advance(std::shared_ptr<const FlowSnapshot> snapshot)
@@ -129,9 +160,7 @@ void StabilityTracker::advance(std::shared_ptr<const FlowSnapshot> snapshot)
     }
     {
         Stopwatch watch(timings_.particles);
-        List<Pathline> paths(particles_.paths());
-        add(particleCounts_, advanceAll(paths, interval));
-        particles_.setPaths(paths);
+        add(particleCounts_, advanceAll(particlePaths_, interval));
     }
     latest_ = std::move(snapshot);
     latestVelocity_ = velocity;
@@ -139,15 +168,16 @@ void StabilityTracker::advance(std::shared_ptr<const FlowSnapshot> snapshot)
 
 void StabilityTracker::placeTimeSurface()
 {
-    const CellComplex& complex = *latest_->complex;
+    const CellComplex& complex = *site_->complex;
     forAll(pathlines_, pointi)
     {
         const Pathline& path = pathlines_[pointi];
         timeSurface_.points[pointi] = path.x;
-        if (path.hint.cell >= 0)
+        const label celli = path.hint.cell < 0 ? -1 : complex.localCell(path.hint.cell);
+        if (celli >= 0)
         {
-            timeSurface_.cells[pointi] = path.hint.cell;
-            timeSurface_.cellSizes[pointi] = complex.cellSizes()[path.hint.cell];
+            timeSurface_.cells[pointi] = celli;
+            timeSurface_.cellSizes[pointi] = complex.cellSizes()[celli];
         }
     }
 }
@@ -158,7 +188,7 @@ StabilityTracker::SmallScales StabilityTracker::smallScales(const InterfaceMesh&
     const labelList components(pointComponents(mesh));
     SmallScales scales;
     scales.thin = thinPoints(mesh, options_.nThreads);
-    scales.droplets = subGridDroplets(mesh, components, *latest_);
+    scales.droplets = subGridDroplets(mesh, components, *site_);
     scales.subGrid = subGridPoints(components, scales.droplets);
     return scales;
 }
@@ -177,7 +207,7 @@ void StabilityTracker::seedPathlines(
         path.id = pointi;
         path.x = mesh.points[pointi];
         path.time = latest_->time;
-        path.hint.cell = mesh.cells[pointi];
+        path.hint.cell = site_->complex->globalCell(mesh.cells[pointi]);
         pathlines_.append(path);
     }
 }
@@ -185,7 +215,7 @@ void StabilityTracker::seedPathlines(
 // Remeshing moves points into cells next to those of the interface.
 void StabilityTracker::findCells(InterfaceMesh& surface) const
 {
-    const CellComplex& complex = *latest_->complex;
+    const CellComplex& complex = *site_->complex;
     forAll(surface.points, pointi)
     {
         label& celli = surface.cells[pointi];
@@ -203,14 +233,21 @@ void StabilityTracker::startSurface(const InterfaceMesh& mesh)
 {
     {
         Stopwatch watch(timings_.parametrization);
-        result_.parametrization =
-            parametrize(exchange_.gather(mesh), options_.parametrization);
+        result_.parametrization = parametrize(mesh, options_.parametrization);
     }
     InterfaceMesh& surface = result_.parametrization->surface;
     findCells(surface);
     chart_ = StartChart(surface);
     seedPathlines(surface, smallScales(surface));
     parametrized_ = true;
+}
+
+ReconstructionResult StabilityTracker::extractWhole(const Reconstruction& reconstruction
+)
+{
+    ReconstructionResult local;
+    together([&] { local = reconstruction.extract(*latest_); });
+    return exchange_.gather(local, *latest_->complex);
 }
 
 ReconstructionResult StabilityTracker::extract()
@@ -224,9 +261,57 @@ ReconstructionResult StabilityTracker::extract()
         options = &options_.later[present].reconstruction;
         ++present;
     }
-    ReconstructionResult result(reconstructions_[present]->extract(*latest_));
-    result_.statistics.noiseFloor = noiseFloor(result, *latest_, *options);
+    ReconstructionResult result(extractWhole(*reconstructions_[present]));
+    result_.statistics.noiseFloor = noiseFloor(
+        result, *options,
+        [&](const ReconstructionOptions& other)
+        { return extractWhole(*Reconstruction::New(other)).mesh; }
+    );
     return result;
+}
+
+// All that there is of T, of the particles, and of the cells around the surfaces, to
+// the rank that has the whole of M.
+void StabilityTracker::bringTogether(InterfaceMesh& extracted)
+{
+    constexpr label nextTo = 1, aroundSmall = 6; // rings
+    exchange_.collect(pathlines_, *latest_->complex);
+    exchange_.collect(particlePaths_, *latest_->complex);
+    particles_.setPaths(particlePaths_);
+
+    const auto wanted = [&]
+    {
+        DynamicList<CellRequest> cells;
+        const List<bool> small =
+            pointsOfSmallPieces(extracted, pointComponents(extracted));
+        forAll(extracted.cells, pointi)
+        {
+            cells.append(CellRequest{
+                extracted.cells[pointi], small[pointi] ? aroundSmall : nextTo});
+        }
+        for (const Pathline& path : pathlines_)
+        {
+            if (path.hint.cell >= 0)
+            {
+                cells.append(CellRequest{path.hint.cell, nextTo});
+            }
+        }
+        return cells;
+    };
+    site_ = exchange_.around(latest_, wanted);
+    for (label& celli : extracted.cells)
+    {
+        celli = site_->complex->localCell(celli);
+    }
+}
+
+// And back to where they go on.
+void StabilityTracker::sendOut()
+{
+    particlePaths_ = particles_.paths();
+    exchange_.disperse(pathlines_, *latest_->complex);
+    exchange_.disperse(particlePaths_, *latest_->complex);
+    site_.reset();
 }
 
 // What noise leaves of the classes.
@@ -243,17 +328,13 @@ void StabilityTracker::rateClasses()
 // Steps 4 and 5 of the method: both surfaces against each other, p to the new one.
 void StabilityTracker::compare(const InterfaceMesh& extracted)
 {
-    const scalar radius = options_.matching.searchRadius
-                          * max(largestCell(extracted), largestCell(timeSurface_));
-    const InterfaceMesh timeSurface(exchange_.share(timeSurface_, extracted, radius));
-    const MatchTarget target(timeSurface, options_.matching);
+    const MatchTarget target(timeSurface_, options_.matching);
     InterfaceMesh mesh(extracted);
     List<Match> onInterface;
     List<Match> onTimeSurface;
     {
         Stopwatch watch(timings_.matching);
-        const InterfaceMesh interface(exchange_.share(mesh, timeSurface_, radius));
-        const MatchTarget interfaceTarget(interface, options_.matching);
+        const MatchTarget interfaceTarget(mesh, options_.matching);
         onTimeSurface = matchPoints(timeSurface_, interfaceTarget, options_.matching);
         onInterface = matchPoints(mesh, target, options_.matching);
     }
@@ -262,7 +343,7 @@ void StabilityTracker::compare(const InterfaceMesh& extracted)
         result_.transfer =
             transfer(mesh, onInterface, target, options_.transfer, chart_);
     }
-    const CellComplex& complex = *latest_->complex;
+    const CellComplex& complex = *site_->complex;
     settleInCells(mesh, complex, extracted.points.size()); // what seams have added
     const scalar interval = latest_->time - lastClassified_;
     result_.interface =
@@ -293,7 +374,7 @@ void StabilityTracker::seedParticles()
         detached[pointi] = stability[pointi] == Stability::detached;
     }
     particles_.seed(
-        timeSurface_, detached, result_.timeSurface.components, *latest_->complex,
+        timeSurface_, detached, result_.timeSurface.components, *site_->complex,
         latest_->time
     );
     result_.nSkippedParticles = particles_.nSkipped();
@@ -336,20 +417,15 @@ void StabilityTracker::handOn(bool begins)
             match.nearest.distance = 0;
         }
         result_.timeSurface =
-            describe(timeSurface_, atHome, Stability::stable, *latest_->complex, 0);
+            describe(timeSurface_, atHome, Stability::stable, *site_->complex, 0);
         result_.timeSurface.thin = seedScales_.thin;
         result_.timeSurface.subGrid = seedScales_.subGrid;
     }
 }
 
-const Classification& StabilityTracker::classify()
+// What one rank does alone, with the whole surfaces.
+void StabilityTracker::classifyWhole(ReconstructionResult& extracted)
 {
-    result_ = Classification();
-    result_.index = nClassified_;
-    result_.timeSurfaceCounts = std::exchange(surfaceCounts_, {});
-    result_.particleCounts = std::exchange(particleCounts_, {});
-
-    const ReconstructionResult extracted(extract());
     const bool begins = !parametrized_ && !extracted.mesh.empty();
     if (begins && nClassified_ == 0)
     {
@@ -361,6 +437,19 @@ const Classification& StabilityTracker::classify()
     takeStock(extracted);
     handOn(begins);
     rateClasses();
+}
+
+const Classification& StabilityTracker::classify()
+{
+    result_ = Classification();
+    result_.index = nClassified_;
+    result_.timeSurfaceCounts = sumOf(std::exchange(surfaceCounts_, {}));
+    result_.particleCounts = sumOf(std::exchange(particleCounts_, {}));
+
+    ReconstructionResult extracted(extract());
+    bringTogether(extracted.mesh);
+    together([&] { classifyWhole(extracted); });
+    sendOut();
 
     lastClassified_ = latest_->time;
     ++nClassified_;

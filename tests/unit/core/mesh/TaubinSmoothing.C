@@ -145,7 +145,7 @@ TEST(TaubinSmoothing, sweptVolumeIsExact)
         }
         return volume;
     };
-    const scalar swept = sweptVolume(low, vectorField(high.points - low.points));
+    const scalar swept = sum(sweptVolumes(low, vectorField(high.points - low.points)));
     EXPECT_NEAR(swept, below(high) - below(low), 1e-11);
     EXPECT_GT(swept, 10);
 }

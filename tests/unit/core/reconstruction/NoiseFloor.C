@@ -58,7 +58,9 @@ Floors floorsOf(
     {
         errors[pointi] = mag(shape(result.mesh.points[pointi]));
     }
-    return {noiseFloor(result, snapshot, options), noiseQuantile(errors)};
+    const auto extract = [&](const ReconstructionOptions& other)
+    { return Reconstruction::New(other)->extract(snapshot).mesh; };
+    return {noiseFloor(result, options, extract), noiseQuantile(errors)};
 }
 
 const shapes::Shape ball = shapes::sphere(point(9.137, 8.732, 9.281), 4.8);
