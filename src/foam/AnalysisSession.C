@@ -4,9 +4,13 @@
 #include "foam/AnalysisSession.H"
 
 #include "core/Errors.H"
+#include "foam/Failures.H"
+#include "foam/ranks/PstreamExchange.H"
+
 #include "clockTime.H"
 #include "fvMesh.H"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -45,6 +49,33 @@ void checkFinite(
     }
 }
 
+// Of other ranks' cells: what the points of own triangles depend on.
+label nRings(const Controls& controls)
+{
+    constexpr label toExtract = 2, toSharpen = 9;
+    const auto needed = [](const ReconstructionOptions& options)
+    {
+        return (options.sharpening == Sharpening::none ? toExtract : toSharpen)
+               + 2 * options.smooth; // each pair of steps looks twice at neighbours
+    };
+    label n = needed(controls.tracker.reconstruction);
+    for (const ReconstructionFrom& later : controls.tracker.later)
+    {
+        n = max(n, needed(later.reconstruction));
+    }
+    return n;
+}
+
+std::unique_ptr<const Exchange>
+exchangeOf(const RankMessages& messages, const fvMesh& mesh)
+{
+    if (messages.nRanks() == 1)
+    {
+        return std::make_unique<SerialExchange>();
+    }
+    return std::make_unique<PstreamExchange>(messages, mesh.nCells());
+}
+
 } // namespace
 
 AnalysisSession::AnalysisSession(
@@ -53,9 +84,46 @@ AnalysisSession::AnalysisSession(
     : mesh_(mesh), controls_(controls), name_(name),
       fields_(mesh, controls.alpha, controls.U),
       flux_(mesh, controls.phi, controls.velocity),
-      surfaces_(mesh.time(), controls.files), snapshots_(mesh),
-      tracker_(controls.tracker, exchange_)
+      surfaces_(mesh.time(), controls.files),
+      snapshots_(mesh, messages_, nRings(controls)),
+      exchange_(exchangeOf(messages_, mesh)), tracker_(controls.tracker, *exchange_)
 {
+    const bool fromFiles = std::any_of(
+        controls.files.begin(), controls.files.end(),
+        [](const FilesFrom& files) { return !files.pattern.empty(); }
+    );
+    if (messages_.nRanks() > 1 && fromFiles)
+    {
+        throw BadInput(
+            "The reconstruction fromFiles works in serial runs only so far: run the "
+            "analysis on the reconstructed case."
+        );
+    }
+}
+
+void AnalysisSession::together(const std::function<void()>& work) const
+{
+    if (messages_.nRanks() == 1)
+    {
+        work();
+    }
+    else
+    {
+        messages_.agree<std::runtime_error>(failureOf(work));
+    }
+}
+
+void AnalysisSession::onMaster(const std::function<void()>& work) const
+{
+    together(
+        [&]
+        {
+            if (messages_.rank() == 0)
+            {
+                work();
+            }
+        }
+    );
 }
 
 void AnalysisSession::expect(const instantList& times)
@@ -68,9 +136,14 @@ void AnalysisSession::expect(const instantList& times)
               "the time options and the time folders of the case."
         );
     }
-    fields_.require(times);
-    flux_.choose(times);
-    surfaces_.require(times);
+    together(
+        [&]
+        {
+            fields_.require(times);
+            flux_.choose(times);
+            surfaces_.require(times);
+        }
+    );
     progress_.expect(times.size());
 }
 
@@ -110,23 +183,32 @@ std::shared_ptr<const FlowSnapshot> AnalysisSession::takeSnapshot()
 
 std::shared_ptr<FlowSnapshot> AnalysisSession::takeFields()
 {
-    const std::string missing = fields_.missing();
-    if (!missing.empty())
-    {
-        throw BadInput(missing);
-    }
-    const tmp<volScalarField> alpha(fields_.alpha());
-    const tmp<volVectorField> U(fields_.U());
-    if (!flux_.chosen())
-    {
-        chooseVelocity();
-    }
-    if (flux_.applies())
-    {
-        const tmp<surfaceScalarField> phi(flux_.get());
-        return snapshots_.take(alpha(), U(), fields_.time(), &phi());
-    }
-    return snapshots_.take(alpha(), U(), fields_.time());
+    std::optional<tmp<volScalarField>> alpha;
+    std::optional<tmp<volVectorField>> U;
+    std::optional<tmp<surfaceScalarField>> phi;
+    together(
+        [&]
+        {
+            const std::string missing = fields_.missing();
+            if (!missing.empty())
+            {
+                throw BadInput(missing);
+            }
+            alpha.emplace(fields_.alpha());
+            U.emplace(fields_.U());
+            if (!flux_.chosen())
+            {
+                chooseVelocity();
+            }
+            if (flux_.applies())
+            {
+                phi.emplace(flux_.get());
+            }
+        }
+    );
+    return snapshots_.take(
+        (*alpha)(), (*U)(), fields_.time(), phi ? &(*phi)() : nullptr
+    );
 }
 
 fileName AnalysisSession::resultPath() const
@@ -152,7 +234,8 @@ void AnalysisSession::advance()
     if (!tracker_.started())
     {
         auto snapshot = takeSnapshot();
-        folder_ = std::make_unique<ResultFolder>(resultPath());
+        path_ = resultPath();
+        onMaster([&] { folder_ = std::make_unique<ResultFolder>(path_); });
         tracker_.start(std::move(snapshot));
         announce();
     }
@@ -170,15 +253,29 @@ void AnalysisSession::classify()
     }
     std::optional<Busy> busy(busySeconds_);
     const Classification& classification = tracker_.classify();
-    checkFinite(classification.statistics.values(), Statistics::columns());
     statistics_ = classification.statistics;
     classifiedTime_ = tracker_.time();
     anyClassified_ = true;
-    write(classification);
-    busy.reset();
-    progress_.classified(
-        classification, mesh_.time().timeName(), busySeconds_, controls_.tracker
+    onMaster(
+        [&]
+        {
+            checkFinite(classification.statistics.values(), Statistics::columns());
+            write(classification);
+            busy.reset();
+            progress_.classified(
+                classification, mesh_.time().timeName(), busySeconds_, controls_.tracker
+            );
+        }
     );
+    share(statistics_);
+}
+
+// What the master found.
+void AnalysisSession::share(Statistics& statistics) const
+{
+    Packet packet;
+    packet.put(statistics);
+    statistics = messages_.fromMaster(std::move(packet)).get<Statistics>();
 }
 
 void AnalysisSession::write(const Classification& classification)
@@ -242,8 +339,7 @@ void AnalysisSession::announce() const
                  << " reconstruction, sharpening "
                  << sharpeningNames()[label(other.sharpening)].c_str() << nl;
         }
-        Info << "    results in " << mesh_.time().relativePath(folder_->path()) << nl
-             << endl;
+        Info << "    results in " << mesh_.time().relativePath(path_) << nl << endl;
     }
 }
 

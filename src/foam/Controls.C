@@ -338,6 +338,14 @@ void readLater(const dictionary& dict, Shell shell, Controls& controls)
     }
 }
 
+// OpenMP's own number follows OMP_NUM_THREADS, else it is that of the cores, of which
+// every rank has one.
+label defaultThreads()
+{
+    const bool alone = UPstream::parRun() && !env("OMP_NUM_THREADS");
+    return alone ? 1 : omp_get_max_threads();
+}
+
 TrackerOptions readTrackerOptions(const dictionary& dict, Shell shell)
 {
     TrackerOptions options;
@@ -357,9 +365,8 @@ TrackerOptions readTrackerOptions(const dictionary& dict, Shell shell)
         readNumber<scalar>(dict, "tolerance", 1e-3, Range{1e-10, 0.1, " cells"});
     options.maxParticles =
         readNumber<label>(dict, "maxParticles", 1000000, Range{0, 1e9, ""});
-    // OpenMP's own number follows OMP_NUM_THREADS, else it is that of the cores.
     options.nThreads = readNumber<label>(
-        dict, "nThreads", omp_get_max_threads(), Range{1, 1024, " threads"}
+        dict, "nThreads", defaultThreads(), Range{1, 1024, " threads"}
     );
     return options;
 }
@@ -434,7 +441,7 @@ findControlsDict(const Time& runTime, const fileName& option, const word& region
     const auto at = [&](const fileName& local)
     {
         return IOobject(
-            dictName, runTime.system(), local, runTime, IOobject::MUST_READ,
+            dictName, runTime.caseSystem(), local, runTime, IOobject::MUST_READ,
             IOobject::NO_WRITE, false
         );
     };
@@ -449,7 +456,7 @@ findControlsDict(const Time& runTime, const fileName& option, const word& region
     }
     if (option.empty() && !isFile(io.objectPath()))
     {
-        Info << "No " << runTime.relativePath(io.objectPath())
+        Info << "No " << runTime.system() / io.local() / dictName
              << ": every entry has its default." << nl << endl;
         return dictionary();
     }

@@ -5,67 +5,13 @@
 
 #include "core/Errors.H"
 #include "core/flow/FluxVelocity.H"
-#include "emptyPolyPatch.H"
 #include "fvMesh.H"
-#include "symmetryPlanePolyPatch.H"
-#include "symmetryPolyPatch.H"
-#include "wallPolyPatch.H"
-#include "wedgePolyPatch.H"
 
 namespace Foam::stability
 {
 
 namespace
 {
-
-BoundaryKind kindOf(const polyPatch& patch)
-{
-    if (patch.coupled() || isA<emptyPolyPatch>(patch) || isA<wedgePolyPatch>(patch))
-    {
-        throw BadInput(
-            "Patch " + patch.name() + " is of type " + patch.type()
-            + ", which interfaceStability does not support yet; allowed are walls, "
-              "symmetries and open patches of a three-dimensional mesh."
-        );
-    }
-    if (isA<wallPolyPatch>(patch))
-    {
-        return BoundaryKind::wall;
-    }
-    if (isA<symmetryPolyPatch>(patch) || isA<symmetryPlanePolyPatch>(patch))
-    {
-        return BoundaryKind::symmetry;
-    }
-    return BoundaryKind::open;
-}
-
-CellComplexInput complexInput(const fvMesh& mesh)
-{
-    const label nBoundaryFaces = mesh.nFaces() - mesh.nInternalFaces();
-    CellComplexInput input;
-    input.points = mesh.points();
-    input.faces = mesh.faces();
-    input.owner = mesh.faceOwner();
-    input.neighbour = SubList<label>(mesh.faceNeighbour(), mesh.nInternalFaces());
-    input.kinds.setSize(nBoundaryFaces, BoundaryKind::open);
-    input.patches.setSize(nBoundaryFaces, -1);
-    input.patchNames = mesh.boundaryMesh().names();
-    for (const polyPatch& patch : mesh.boundaryMesh())
-    {
-        if (patch.empty())
-        {
-            continue; // without faces it does no harm, whatever its type
-        }
-        const label start = patch.start() - mesh.nInternalFaces();
-        const BoundaryKind kind = kindOf(patch);
-        for (label i = 0; i < patch.size(); ++i)
-        {
-            input.kinds[start + i] = kind;
-            input.patches[start + i] = patch.index();
-        }
-    }
-    return input;
-}
 
 // The patch values, in the order of the boundary faces.
 template<class Type, template<class> class PatchField, class GeoMesh>
@@ -86,36 +32,36 @@ Field<Type> boundaryValues(const GeometricField<Type, PatchField, GeoMesh>& fiel
 
 // At walls and symmetries the volume fraction is that of the cell. A patch of a contact
 // angle extrapolates, beyond [0, 1] if it is told to, and at the first time it does so
-// in the memory of a solver but not on disk.
-scalarField boundaryAlpha(const volScalarField& alpha, const CellComplex& complex)
+// in the memory of a solver but not on disk. All in the order of the complex.
+void correctAlpha(
+    scalarField& boundary, const scalarField& cells, const CellComplex& complex
+)
 {
-    scalarField values(boundaryValues(alpha));
-    forAll(values, i)
+    forAll(boundary, i)
     {
         if (complex.kinds()[i] != BoundaryKind::open)
         {
-            values[i] = alpha[complex.owner()[complex.nInternalFaces() + i]];
+            boundary[i] = cells[complex.owner()[complex.nInternalFaces() + i]];
         }
     }
-    return values;
 }
 
 // At symmetries the velocity is that of the cell without its normal part: OpenFOAM's
 // patches round it differently when they are read and when they are evaluated.
-vectorField boundaryVelocity(const volVectorField& U, const CellComplex& complex)
+void correctVelocity(
+    vectorField& boundary, const vectorField& cells, const CellComplex& complex
+)
 {
-    vectorField values(boundaryValues(U));
-    forAll(values, i)
+    forAll(boundary, i)
     {
         if (complex.kinds()[i] == BoundaryKind::symmetry)
         {
             const label facei = complex.nInternalFaces() + i;
-            const vector& inCell = U[complex.owner()[facei]];
+            const vector& inCell = cells[complex.owner()[facei]];
             const vector& area = complex.faceAreas()[facei];
-            values[i] = inCell - (inCell & area) / max(magSqr(area), VSMALL) * area;
+            boundary[i] = inCell - (inCell & area) / max(magSqr(area), VSMALL) * area;
         }
     }
-    return values;
 }
 
 // Of all faces, in the order of the mesh.
@@ -128,8 +74,10 @@ scalarField faceValues(const surfaceScalarField& field)
 
 } // namespace
 
-MeshSnapshots::MeshSnapshots(const fvMesh& mesh)
-    : complex_(std::make_shared<const CellComplex>(complexInput(mesh)))
+MeshSnapshots::MeshSnapshots(
+    const fvMesh& mesh, const RankMessages& messages, label nRings
+)
+    : messages_(messages), cells_(mesh, messages, nRings)
 {
 }
 
@@ -138,24 +86,36 @@ std::shared_ptr<FlowSnapshot> MeshSnapshots::take(
     const surfaceScalarField* phi
 ) const
 {
+    const CellComplex& complex = *cells_.complex();
     auto snapshot = std::make_shared<FlowSnapshot>();
-    snapshot->complex = complex_;
+    snapshot->complex = cells_.complex();
     snapshot->time = time;
-    snapshot->alphas = List<scalarField>(1, alpha.primitiveField());
-    snapshot->boundaryAlphas = List<scalarField>(1, boundaryAlpha(alpha, *complex_));
-    snapshot->boundaryU = boundaryVelocity(U, *complex_);
+    snapshot->alphas.setSize(1, cells_.cellValues(alpha.primitiveField()));
+    snapshot->boundaryAlphas.setSize(1, cells_.boundaryValues(boundaryValues(alpha)));
+    correctAlpha(snapshot->boundaryAlphas[0], snapshot->alphas[0], complex);
+    snapshot->U = cells_.cellValues(U.primitiveField());
+    snapshot->boundaryU = cells_.boundaryValues(boundaryValues(U));
+    correctVelocity(snapshot->boundaryU, snapshot->U, complex);
+    std::string failure;
     try
     {
-        snapshot->U =
-            phi ? fluxVelocity(*complex_, faceValues(*phi)) : U.primitiveField();
+        if (phi)
+        {
+            snapshot->U = fluxVelocity(complex, cells_.fluxes(faceValues(*phi)));
+        }
         snapshot->check();
     }
     catch (const BadInput& bad)
     {
-        throw BadInput(
-            "Fields " + alpha.name() + (phi ? ", " + phi->name() : "") + " and "
-            + U.name() + " at time " + alpha.time().timeName() + ": " + bad.what()
-        );
+        failure = "Fields " + alpha.name() + (phi ? ", " + phi->name() : "") + " and "
+                  + U.name() + " at time " + alpha.time().timeName() + ": "
+                  + bad.what();
+    }
+    messages_.agree<BadInput>(failure);
+    if (phi)
+    {
+        // Only in its own cells a rank knows the fluxes through all faces.
+        snapshot->U = cells_.cellValues(cells_.ownValues(snapshot->U));
     }
     return snapshot;
 }

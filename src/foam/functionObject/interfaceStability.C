@@ -30,13 +30,6 @@ interfaceStability::interfaceStability(
     : fvMeshFunctionObject(name, runTime, dict)
 {
     read(dict);
-    if (Pstream::parRun())
-    {
-        nFailures_ = maxFailures;
-        report("It does not run in parallel yet: use the utility, on the reconstructed "
-               "case.");
-        return;
-    }
     if (!postProcess)
     {
         checkFields(dict);

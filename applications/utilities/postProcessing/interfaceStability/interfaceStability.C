@@ -39,7 +39,8 @@ Usage
     same flow, with results in postProcessing/interfaceStability_\<name\>, and
     methods.dat in postProcessing/interfaceStability/\<startTime\> compares them.
 
-    Serial, on static meshes without cyclic, empty or wedge patches.
+    On static meshes without cyclic, empty or wedge patches; in parallel with
+    -parallel, on a decomposed case.
 
 \*---------------------------------------------------------------------------*/
 
@@ -112,7 +113,6 @@ int main(int argc, char* argv[])
         "Reads system/interfaceStabilityDict if it is there, the volume fraction, U\n"
         "and phi of the selected times; writes to postProcessing/interfaceStability."
     );
-    argList::noParallel();
     timeSelector::addOptions(false, false);
 #include "addDictOption.H"
 #include "addRegionOption.H"
@@ -153,7 +153,10 @@ int main(int argc, char* argv[])
     if (methods.size() > 1)
     {
         const fileName table(comparisonPath / "methods.dat");
-        stability::exitOnFailure([&] { comparison.write(table); });
+        if (Pstream::master())
+        {
+            stability::exitOnFailure([&] { comparison.write(table); });
+        }
         Info << comparison.verdict().c_str() << nl << "The numbers are in "
              << runTime.relativePath(table)
              << "; interfaceStabilityView -batch -methods with this file draws them."

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "foam/ranks/PstreamExchange.H"
+
+#include "core/flow/CellBlock.H"
+#include "foam/ranks/CellPackets.H"
+#include "foam/ranks/SurfaceMerge.H"
+
+#include <algorithm>
+#include <map>
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+// Grows a set of cells by those that share a point with it, as far as they are known.
+labelHashSet ringsAround(const CellComplex& complex, labelHashSet cells, label nRings)
+{
+    labelHashSet front(cells);
+    for (label ring = 0; ring < nRings; ++ring)
+    {
+        labelHashSet next;
+        for (const label celli : front)
+        {
+            for (const label facei : complex.cellFaces()[celli])
+            {
+                for (const label pointi : complex.faces()[facei])
+                {
+                    for (const label otheri : complex.pointCells()[pointi])
+                    {
+                        if (cells.insert(otheri))
+                        {
+                            next.insert(otheri);
+                        }
+                    }
+                }
+            }
+        }
+        front = std::move(next);
+    }
+    return cells;
+}
+
+} // namespace
+
+PstreamExchange::PstreamExchange(const RankMessages& messages, label nOwnCells)
+    : messages_(messages), firstCells_(messages.nRanks() + 1, 0)
+{
+    Packet mine;
+    mine.put(nOwnCells);
+    std::vector<Packet> all = messages.toAll(mine);
+    for (label ranki = 0; ranki < messages.nRanks(); ++ranki)
+    {
+        firstCells_[ranki + 1] = firstCells_[ranki] + all[ranki].get<label>();
+    }
+}
+
+label PstreamExchange::rankOf(label globalCell) const
+{
+    return std::upper_bound(firstCells_.begin(), firstCells_.end(), globalCell)
+           - firstCells_.begin() - 1;
+}
+
+void PstreamExchange::sum(UList<scalar>& values) const
+{
+    Packet mine;
+    mine.putList(values);
+    std::vector<Packet> all = messages_.toAll(mine);
+    values = scalar(0);
+    for (Packet& packet : all)
+    {
+        const List<scalar> some(packet.getList<scalar>());
+        forAll(values, i)
+        {
+            values[i] += some[i];
+        }
+    }
+}
+
+void PstreamExchange::agree(const std::string& failure) const
+{
+    messages_.agree<NumericalFailure>(failure);
+}
+
+void PstreamExchange::travel(
+    DynamicList<Pathline>& pathlines, const CellComplex& complex,
+    const std::function<void(UList<Pathline>&)>& advance
+) const
+{
+    DynamicList<Pathline> arrived(std::move(pathlines));
+    pathlines.clear();
+    for (;;)
+    {
+        std::string failure;
+        try
+        {
+            advance(arrived);
+        }
+        catch (const std::exception& caught)
+        {
+            failure = caught.what();
+        }
+        agree(failure);
+
+        std::vector<DynamicList<Pathline>> leaving(nRanks());
+        scalar nLeaving = 0;
+        for (Pathline& path : arrived)
+        {
+            const label celli = path.hint.cell;
+            const bool waits = path.state == PathlineState::moving && celli >= 0
+                               && !complex.complete(celli);
+            if (waits)
+            {
+                path.hint.cell = complex.globalCell(celli);
+                leaving[rankOf(path.hint.cell)].append(path);
+                ++nLeaving;
+            }
+            else
+            {
+                pathlines.append(path);
+            }
+        }
+        List<scalar> n(1, nLeaving);
+        sum(n);
+        if (n[0] == 0)
+        {
+            return;
+        }
+        std::vector<Packet> packets(nRanks());
+        for (label ranki = 0; ranki < nRanks(); ++ranki)
+        {
+            if (!leaving[ranki].empty())
+            {
+                packets[ranki].putList(leaving[ranki]);
+            }
+        }
+        arrived.clear();
+        for (Packet& packet : messages_.exchange(std::move(packets)))
+        {
+            if (!packet.empty())
+            {
+                for (Pathline& path : packet.getList<Pathline>())
+                {
+                    path.hint.cell = complex.localCell(path.hint.cell);
+                    path.earlierHint = path.hint;
+                    arrived.append(path);
+                }
+            }
+        }
+    }
+}
+
+void PstreamExchange::collect(
+    DynamicList<Pathline>& pathlines, const CellComplex& complex
+) const
+{
+    for (Pathline& path : pathlines)
+    {
+        if (path.hint.cell >= 0)
+        {
+            path.hint.cell = complex.globalCell(path.hint.cell);
+        }
+    }
+    Packet mine;
+    mine.putList(pathlines);
+    pathlines.clear();
+    for (Packet& packet : messages_.toMaster(std::move(mine)))
+    {
+        if (!packet.empty())
+        {
+            pathlines.append(packet.getList<Pathline>());
+        }
+    }
+    std::sort(
+        pathlines.begin(), pathlines.end(),
+        [](const Pathline& a, const Pathline& b) { return a.id < b.id; }
+    );
+}
+
+void PstreamExchange::disperse(
+    DynamicList<Pathline>& pathlines, const CellComplex& complex
+) const
+{
+    std::vector<DynamicList<Pathline>> there(nRanks());
+    for (const Pathline& path : pathlines)
+    {
+        there[path.hint.cell < 0 ? messages_.rank() : rankOf(path.hint.cell)].append(
+            path
+        );
+    }
+    std::vector<Packet> packets(nRanks());
+    for (label ranki = 0; ranki < nRanks(); ++ranki)
+    {
+        if (!there[ranki].empty())
+        {
+            packets[ranki].putList(there[ranki]);
+        }
+    }
+    pathlines.clear();
+    for (Packet& packet : messages_.exchange(std::move(packets)))
+    {
+        if (!packet.empty())
+        {
+            pathlines.append(packet.getList<Pathline>());
+        }
+    }
+    for (Pathline& path : pathlines)
+    {
+        path.hint.cell =
+            path.hint.cell < 0 ? path.hint.cell : complex.localCell(path.hint.cell);
+    }
+}
+
+ReconstructionResult PstreamExchange::gather(
+    const ReconstructionResult& local, const CellComplex& complex
+) const
+{
+    std::vector<Packet> pieces = messages_.toMaster(surfacePiece(local, complex));
+    return isMaster() ? mergedSurface(pieces) : ReconstructionResult();
+}
+
+// Per rank what the master asks of it; returns the labels of the cells that this rank
+// knows of.
+labelList PstreamExchange::askFor(
+    const CellComplex& complex, const std::function<DynamicList<CellRequest>()>& wanted
+) const
+{
+    std::vector<DynamicList<CellRequest>> requests(nRanks());
+    if (isMaster())
+    {
+        for (const CellRequest& request : wanted())
+        {
+            requests[rankOf(request.cell)].append(request);
+        }
+    }
+    std::vector<Packet> packets(nRanks());
+    for (label ranki = 0; ranki < nRanks(); ++ranki)
+    {
+        if (!requests[ranki].empty())
+        {
+            packets[ranki].putList(requests[ranki]);
+        }
+    }
+    packets = messages_.exchange(std::move(packets));
+    std::map<label, labelHashSet> byRings;
+    if (!packets[0].empty())
+    {
+        for (const CellRequest& request : packets[0].getList<CellRequest>())
+        {
+            byRings[request.nRings].insert(complex.localCell(request.cell));
+        }
+    }
+    labelHashSet all;
+    for (const auto& [nRings, cells] : byRings)
+    {
+        all += ringsAround(complex, cells, nRings);
+    }
+    return all.sortedToc();
+}
+
+std::shared_ptr<const FlowSnapshot> PstreamExchange::around(
+    const std::shared_ptr<const FlowSnapshot>& snapshot,
+    const std::function<DynamicList<CellRequest>()>& wanted
+) const
+{
+    const CellComplex& complex = *snapshot->complex;
+    const labelList cells(askFor(complex, wanted));
+    std::vector<Packet> packets = messages_.toMaster(
+        cells.empty() ? Packet() : packedFractions(*snapshot, cells)
+    );
+    if (!isMaster())
+    {
+        return snapshot;
+    }
+    auto assembled = assembledFractions(packets, complex);
+    if (!assembled)
+    {
+        return snapshot; // there is no surface
+    }
+    assembled->time = snapshot->time;
+    return assembled;
+}
+
+} // namespace Foam::stability

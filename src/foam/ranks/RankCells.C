@@ -1,0 +1,421 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "foam/ranks/RankCells.H"
+
+#include "Map.H"
+#include "foam/ranks/CellPackets.H"
+#include "emptyPolyPatch.H"
+#include "globalMeshData.H"
+#include "processorPolyPatch.H"
+#include "symmetryPlanePolyPatch.H"
+#include "symmetryPolyPatch.H"
+#include "syncTools.H"
+#include "wallPolyPatch.H"
+#include "wedgePolyPatch.H"
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+BoundaryKind kindOf(const polyPatch& patch)
+{
+    if (isA<processorPolyPatch>(patch))
+    {
+        return BoundaryKind::beyond;
+    }
+    if (patch.coupled() || isA<emptyPolyPatch>(patch) || isA<wedgePolyPatch>(patch))
+    {
+        throw BadInput(
+            "Patch " + patch.name() + " is of type " + patch.type()
+            + ", which interfaceStability does not support yet; allowed are walls, "
+              "symmetries and open patches of a three-dimensional mesh."
+        );
+    }
+    if (isA<wallPolyPatch>(patch))
+    {
+        return BoundaryKind::wall;
+    }
+    if (isA<symmetryPolyPatch>(patch) || isA<symmetryPlanePolyPatch>(patch))
+    {
+        return BoundaryKind::symmetry;
+    }
+    return BoundaryKind::open;
+}
+
+CellComplexInput complexInput(const fvMesh& mesh)
+{
+    const label nBoundaryFaces = mesh.nFaces() - mesh.nInternalFaces();
+    CellComplexInput input;
+    input.points = mesh.points();
+    input.faces = mesh.faces();
+    input.owner = mesh.faceOwner();
+    input.neighbour = SubList<label>(mesh.faceNeighbour(), mesh.nInternalFaces());
+    input.kinds.setSize(nBoundaryFaces, BoundaryKind::open);
+    input.patches.setSize(nBoundaryFaces, -1);
+    DynamicList<word> names;
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        const bool betweenRanks = isA<processorPolyPatch>(patch);
+        if (!betweenRanks)
+        {
+            names.append(patch.name());
+        }
+        if (patch.empty())
+        {
+            continue; // without faces it does no harm, whatever its type
+        }
+        const label start = patch.start() - mesh.nInternalFaces();
+        const BoundaryKind kind = kindOf(patch);
+        for (label i = 0; i < patch.size(); ++i)
+        {
+            input.kinds[start + i] = kind;
+            input.patches[start + i] = betweenRanks ? -1 : patch.index();
+        }
+    }
+    input.patchNames = wordList(std::move(names));
+    return input;
+}
+
+WholeMesh wholeOf(const CellComplexInput& own, const RankMessages& messages)
+{
+    const Rows cellFaces = facesOfCells(own);
+    label nTetrahedra = 0;
+    for (label celli = 0; celli < cellFaces.size(); ++celli)
+    {
+        nTetrahedra += cellFaces[celli].size() == 4;
+    }
+    Packet packet;
+    packet.put(boundBox(own.points, false));
+    packet.put(nTetrahedra);
+    packet.put(cellFaces.size());
+    WholeMesh whole;
+    scalar nCells = 0;
+    for (Packet& of : messages.toAll(packet))
+    {
+        whole.bounds.add(of.get<boundBox>());
+        whole.tetrahedra += of.get<label>();
+        nCells += of.get<label>();
+    }
+    whole.tetrahedra /= max(nCells, scalar(1));
+    return whole;
+}
+
+labelList globalNumbers(const globalIndex& numbers)
+{
+    labelList result(numbers.localSize());
+    forAll(result, i)
+    {
+        result[i] = numbers.toGlobal(i);
+    }
+    return result;
+}
+
+// Fetches the rings around the cells of this rank, one after the other.
+class RingFetch
+{
+public:
+    RingFetch(const CellComplexInput& own, const RankMessages& messages)
+        : own_(own), messages_(messages), cellFaces_(facesOfCells(own)),
+          sent_(messages.nRanks())
+    {
+        forAll(own.globalPoints, pointi)
+        {
+            localPoints_.insert(own.globalPoints[pointi], pointi);
+        }
+        pointCells_ = Rows(
+            own.points.size(),
+            [&](const auto& add)
+            {
+                labelList last(own_.points.size(), -1);
+                for (label celli = 0; celli < cellFaces_.size(); ++celli)
+                {
+                    for (const label facei : cellFaces_[celli])
+                    {
+                        for (const label pointi : own_.faces[facei])
+                        {
+                            if (last[pointi] != celli)
+                            {
+                                last[pointi] = celli;
+                                add(pointi, celli);
+                            }
+                        }
+                    }
+                }
+            }
+        );
+        Packet box;
+        box.put(boundBox(own.points, false));
+        for (Packet& packet : messages.toAll(box))
+        {
+            boxes_.push_back(packet.get<boundBox>());
+            boxes_.back().inflate(1e-6);
+        }
+        known_.insert(own.globalCells);
+    }
+
+    std::vector<CellBlock> run(label nRings)
+    {
+        blocks_.push_back(blockOf(own_, cellFaces_, identity(own_.globalCells.size())));
+        std::size_t first = 0;
+        for (label ring = 0; ring < nRings; ++ring)
+        {
+            const std::size_t n = blocks_.size();
+            ask(first);
+            first = n;
+        }
+        return std::move(blocks_);
+    }
+
+private:
+    // For the cells at the points of faces behind which nothing is known, in the blocks
+    // from this one on.
+    void ask(std::size_t first)
+    {
+        Map<point> points;
+        for (std::size_t i = first; i < blocks_.size(); ++i)
+        {
+            addRim(blocks_[i], points);
+        }
+        std::vector<Packet> questions(messages_.nRanks());
+        for (label ranki = 0; ranki < messages_.nRanks(); ++ranki)
+        {
+            DynamicList<label> wanted;
+            for (const label pointi : points.sortedToc())
+            {
+                if (ranki != messages_.rank() && boxes_[ranki].contains(points[pointi]))
+                {
+                    wanted.append(pointi);
+                }
+            }
+            if (!wanted.empty())
+            {
+                questions[ranki].putList(wanted);
+            }
+        }
+        answer(messages_.exchange(std::move(questions)));
+    }
+
+    void addRim(const CellBlock& block, Map<point>& points) const
+    {
+        Map<label> places(2 * block.pointIds.size());
+        forAll(block.pointIds, i)
+        {
+            places.insert(block.pointIds[i], i);
+        }
+        forAll(block.faces, k)
+        {
+            if (block.behind[k] >= 0 && !known_.found(block.behind[k]))
+            {
+                for (const label pointi : block.faces[k])
+                {
+                    points.insert(pointi, block.points[places[pointi]]);
+                }
+            }
+        }
+    }
+
+    void answer(std::vector<Packet> questions)
+    {
+        std::vector<Packet> answers(messages_.nRanks());
+        for (label ranki = 0; ranki < messages_.nRanks(); ++ranki)
+        {
+            if (questions[ranki].empty())
+            {
+                continue;
+            }
+            DynamicList<label> cells;
+            for (const label pointi : questions[ranki].getList<label>())
+            {
+                const auto found = localPoints_.cfind(pointi);
+                if (found.found())
+                {
+                    for (const label celli : pointCells_[found.val()])
+                    {
+                        if (sent_[ranki].insert(celli))
+                        {
+                            cells.append(celli);
+                        }
+                    }
+                }
+            }
+            if (!cells.empty())
+            {
+                answers[ranki] = packed(blockOf(own_, cellFaces_, cells));
+            }
+        }
+        for (Packet& packet : messages_.exchange(std::move(answers)))
+        {
+            if (!packet.empty())
+            {
+                blocks_.push_back(unpacked(packet));
+                known_.insert(blocks_.back().cells);
+            }
+        }
+    }
+
+    const CellComplexInput& own_;
+    const RankMessages& messages_;
+    Rows cellFaces_, pointCells_;
+    Map<label> localPoints_; // global to local
+    std::vector<labelHashSet> sent_;
+    std::vector<boundBox> boxes_;
+    labelHashSet known_; // cells
+    std::vector<CellBlock> blocks_;
+};
+
+} // namespace
+
+RankCells::RankCells(const fvMesh& mesh, const RankMessages& messages, label nRings)
+    : messages_(messages), nOwn_(mesh.nCells()), cellNumbers_(mesh.nCells()),
+      boundaryNumbers_(mesh.nFaces() - mesh.nInternalFaces())
+{
+    const CellComplexInput own(ownPiece(mesh));
+    const bool alone = messages.nRanks() == 1;
+    CellComplexInput all(
+        assemble(RingFetch(own, messages).run(alone ? 0 : nRings), own.patchNames)
+    );
+    all.whole = wholeOf(own, messages);
+    cells_ = sourceOf(all.globalCells, cellNumbers_);
+    boundaryFaces_ = sourceOf(all.globalBoundaryFaces, boundaryNumbers_);
+    matchFaces(own, all);
+    if (alone)
+    {
+        all.globalCells.clear(); // numbers of its own will do
+    }
+    else
+    {
+        all.own.setSize(all.globalCells.size());
+        forAll(all.own, celli)
+        {
+            all.own[celli] = cellNumbers_.isLocal(all.globalCells[celli]);
+        }
+    }
+    complex_ = std::make_shared<const CellComplex>(std::move(all));
+}
+
+CellComplexInput RankCells::ownPiece(const fvMesh& mesh) const
+{
+    CellComplexInput own(complexInput(mesh));
+    own.globalCells = globalNumbers(cellNumbers_);
+    own.globalBoundaryFaces = globalNumbers(boundaryNumbers_);
+    own.behind.setSize(own.globalBoundaryFaces.size(), -1);
+    if (messages_.nRanks() == 1)
+    {
+        own.globalPoints = identity(mesh.nPoints());
+        return own;
+    }
+    labelList unique;
+    mesh.globalData().mergePoints(own.globalPoints, unique);
+    labelList behind;
+    syncTools::swapBoundaryCellList(mesh, own.globalCells, behind);
+    forAll(behind, i)
+    {
+        if (own.kinds[i] == BoundaryKind::beyond)
+        {
+            own.behind[i] = behind[i];
+        }
+    }
+    return own;
+}
+
+// Collective: tells the ranks what is wanted of them.
+RankCells::Source
+RankCells::sourceOf(const labelList& global, const globalIndex& numbers) const
+{
+    const label nRanks = messages_.nRanks();
+    Source source;
+    source.fromOwn.setSize(global.size(), -1);
+    source.received.resize(nRanks);
+    source.sent.resize(nRanks);
+    std::vector<DynamicList<label>> wanted(nRanks), places(nRanks);
+    forAll(global, i)
+    {
+        if (global[i] >= 0 && numbers.isLocal(global[i]))
+        {
+            source.fromOwn[i] = numbers.toLocal(global[i]);
+        }
+        else if (global[i] >= 0)
+        {
+            const label ranki = numbers.whichProcID(global[i]);
+            wanted[ranki].append(numbers.toLocal(ranki, global[i]));
+            places[ranki].append(i);
+        }
+    }
+    std::vector<Packet> packets(nRanks);
+    for (label ranki = 0; ranki < nRanks; ++ranki)
+    {
+        source.received[ranki] = labelList(std::move(places[ranki]));
+        if (!wanted[ranki].empty())
+        {
+            packets[ranki].putList(wanted[ranki]);
+        }
+    }
+    packets = messages_.exchange(std::move(packets));
+    for (label ranki = 0; ranki < nRanks; ++ranki)
+    {
+        if (!packets[ranki].empty())
+        {
+            source.sent[ranki] = packets[ranki].getList<label>();
+        }
+    }
+    return source;
+}
+
+void RankCells::matchFaces(const CellComplexInput& own, const CellComplexInput& all)
+{
+    const Rows cellFaces = facesOfCells(own);
+    const auto pointsOf = [](const face& f, const labelList& numbers)
+    {
+        labelList points(f.size());
+        forAll(f, k)
+        {
+            points[k] = numbers[f[k]];
+        }
+        Foam::sort(points);
+        return points;
+    };
+    const label nInternal = all.neighbour.size();
+    meshFaces_.setSize(all.faces.size(), -1);
+    sameWay_.setSize(meshFaces_.size(), true);
+    forAll(meshFaces_, facei)
+    {
+        label celli = cells_.fromOwn[all.owner[facei]];
+        const bool byOwner = celli >= 0;
+        if (!byOwner && facei < nInternal)
+        {
+            celli = cells_.fromOwn[all.neighbour[facei]];
+        }
+        if (celli < 0)
+        {
+            continue;
+        }
+        const labelList points(pointsOf(all.faces[facei], all.globalPoints));
+        for (const label meshFacei : cellFaces[celli])
+        {
+            if (pointsOf(own.faces[meshFacei], own.globalPoints) == points)
+            {
+                meshFaces_[facei] = meshFacei;
+                sameWay_[facei] = (own.owner[meshFacei] == celli) == byOwner;
+            }
+        }
+    }
+}
+
+scalarField RankCells::fluxes(const UList<scalar>& own) const
+{
+    scalarField values(meshFaces_.size(), 0);
+    forAll(values, facei)
+    {
+        if (meshFaces_[facei] >= 0)
+        {
+            const scalar flux = own[meshFaces_[facei]];
+            values[facei] = sameWay_[facei] ? flux : -flux;
+        }
+    }
+    return values;
+}
+
+} // namespace Foam::stability

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "foam/ranks/RankMessages.H"
+
+#include "PstreamBuffers.H"
+#include "PstreamReduceOps.H"
+#include "UIPstream.H"
+#include "UOPstream.H"
+
+namespace Foam::stability
+{
+
+RankMessages::RankMessages()
+    : communicator_(
+        UPstream::parRun() ? UPstream::allocateCommunicator(
+            UPstream::worldComm, identity(UPstream::nProcs(UPstream::worldComm))
+        )
+                           : UPstream::worldComm
+    )
+{
+}
+
+RankMessages::~RankMessages()
+{
+    if (communicator_ != UPstream::worldComm)
+    {
+        UPstream::freeCommunicator(communicator_);
+    }
+}
+
+label RankMessages::nRanks() const
+{
+    return UPstream::parRun() ? UPstream::nProcs(communicator_) : 1;
+}
+
+label RankMessages::rank() const
+{
+    return UPstream::parRun() ? UPstream::myProcNo(communicator_) : 0;
+}
+
+std::vector<Packet> RankMessages::exchange(std::vector<Packet> toRanks) const
+{
+    std::vector<Packet> fromRanks(nRanks());
+    fromRanks[rank()] = std::move(toRanks[rank()]);
+    if (nRanks() == 1)
+    {
+        return fromRanks;
+    }
+    PstreamBuffers buffers(
+        UPstream::commsTypes::nonBlocking, UPstream::msgType(), communicator_
+    );
+    for (label ranki = 0; ranki < nRanks(); ++ranki)
+    {
+        if (ranki != rank() && !toRanks[ranki].empty())
+        {
+            const UList<char>& bytes = toRanks[ranki].bytes();
+            UOPstream stream(ranki, buffers);
+            stream << bytes;
+            ++nMessages_;
+            nBytes_ += bytes.size();
+        }
+    }
+    labelList sizes;
+    buffers.finishedSends(sizes);
+    for (label ranki = 0; ranki < nRanks(); ++ranki)
+    {
+        if (ranki != rank() && sizes[ranki] > 0)
+        {
+            UIPstream stream(ranki, buffers);
+            fromRanks[ranki] = Packet(List<char>(stream));
+        }
+    }
+    return fromRanks;
+}
+
+std::vector<Packet> RankMessages::toMaster(Packet packet) const
+{
+    std::vector<Packet> toRanks(nRanks());
+    toRanks[0] = std::move(packet);
+    return exchange(std::move(toRanks));
+}
+
+Packet RankMessages::fromMaster(Packet packet) const
+{
+    return std::move(exchange(
+        std::vector<Packet>(nRanks(), rank() == 0 ? std::move(packet) : Packet())
+    )[0]);
+}
+
+std::vector<Packet> RankMessages::toAll(const Packet& packet) const
+{
+    return exchange(std::vector<Packet>(nRanks(), packet));
+}
+
+// Two rounds: where nothing failed, one number is all that is sent.
+std::string RankMessages::firstOf(const std::string& failure) const
+{
+    label first = failure.empty() ? labelMax : rank();
+    reduce(first, minOp<label>(), UPstream::msgType(), communicator_);
+    if (first == labelMax)
+    {
+        return std::string();
+    }
+    Packet packet;
+    if (rank() == first)
+    {
+        packet.putList(List<char>(failure.begin(), failure.end()));
+    }
+    std::vector<Packet> toRanks(nRanks(), packet);
+    const List<char> text(exchange(std::move(toRanks))[first].getList<char>());
+    return std::string(text.begin(), text.end());
+}
+
+} // namespace Foam::stability
