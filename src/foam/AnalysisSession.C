@@ -48,14 +48,29 @@ void checkFinite(
 } // namespace
 
 AnalysisSession::AnalysisSession(
-    const fvMesh& mesh, const Controls& controls, const word& name
+    const fvMesh& mesh, const Controls& controls, const fileName& folder,
+    FieldSource source
 )
-    : mesh_(mesh), controls_(controls), name_(name),
-      fields_(mesh, controls.alpha, controls.U),
-      flux_(mesh, controls.phi, controls.velocity),
+    : mesh_(mesh), controls_(controls), resultFolder_(folder),
+      fields_(mesh, controls.alpha, controls.U, source),
+      flux_(mesh, controls.phi, controls.velocity, source),
       surfaces_(mesh.time(), controls.files), snapshots_(mesh),
-      tracker_(controls.tracker, exchange_)
+      tracker_(observed(controls.tracker), exchange_), seconds_(phaseNames().size(), 0),
+      secondsBefore_(seconds_)
 {
+}
+
+TrackerOptions AnalysisSession::observed(const TrackerOptions& options)
+{
+    TrackerOptions result(options);
+    result.entering = [this](Phase phase) { enter(phase); };
+    return result;
+}
+
+void AnalysisSession::enter(Phase phase)
+{
+    phase_ = phase;
+    forced_.check(phase, fields_.time());
 }
 
 void AnalysisSession::expect(const instantList& times)
@@ -97,6 +112,7 @@ void AnalysisSession::chooseVelocity()
 
 std::shared_ptr<const FlowSnapshot> AnalysisSession::takeSnapshot()
 {
+    enter(Phase::reading);
     const Busy busy(readingSeconds_);
     std::shared_ptr<FlowSnapshot> snapshot(takeFields());
     const instant now(mesh_.time().value(), mesh_.time().timeName());
@@ -131,17 +147,13 @@ std::shared_ptr<FlowSnapshot> AnalysisSession::takeFields()
 
 fileName AnalysisSession::resultPath() const
 {
-    fileName path(mesh_.time().globalPath() / "postProcessing");
-    if (mesh_.name() != polyMesh::defaultRegion)
-    {
-        path = path / mesh_.name();
-    }
-    return path / name_ / mesh_.time().timeName();
+    return resultFolder_ / mesh_.time().timeName();
 }
 
 void AnalysisSession::advance()
 {
     const Busy busy(busySeconds_);
+    phase_ = Phase::reading;
     if (meshChanged_)
     {
         throw BadInput(
@@ -152,7 +164,11 @@ void AnalysisSession::advance()
     if (!tracker_.started())
     {
         auto snapshot = takeSnapshot();
-        folder_ = std::make_unique<ResultFolder>(resultPath());
+        if (controls_.writeToFile)
+        {
+            folder_ =
+                std::make_unique<ResultFolder>(resultPath(), controls_.writePrecision);
+        }
         tracker_.start(std::move(snapshot));
         announce();
     }
@@ -162,59 +178,96 @@ void AnalysisSession::advance()
     }
 }
 
+bool AnalysisSession::isClassified() const
+{
+    return latest_ && statistics_.time == tracker_.time();
+}
+
+scalar AnalysisSession::displacement()
+{
+    const Busy busy(busySeconds_);
+    return tracker_.started() ? tracker_.displacement() : 0;
+}
+
 void AnalysisSession::classify()
 {
-    if (!tracker_.started() || (anyClassified_ && classifiedTime_ == tracker_.time()))
+    if (!tracker_.started() || isClassified())
     {
         return;
     }
     std::optional<Busy> busy(busySeconds_);
+    latest_ = nullptr;
     const Classification& classification = tracker_.classify();
     checkFinite(classification.statistics.values(), Statistics::columns());
     statistics_ = classification.statistics;
-    classifiedTime_ = tracker_.time();
-    anyClassified_ = true;
-    write(classification);
+    latest_ = &classification;
+    filesWritten_ = false;
+    ++nClassified_;
+    writeTables();
     busy.reset();
     progress_.classified(
         classification, mesh_.time().timeName(), busySeconds_, controls_.tracker
     );
 }
 
-void AnalysisSession::write(const Classification& classification)
+void AnalysisSession::writeTables()
 {
+    if (!folder_)
+    {
+        return;
+    }
     {
         const Busy busy(writingSeconds_);
-        folder_->write(classification, tracker_.particles());
+        enter(Phase::writing);
+        folder_->writeTables(*latest_);
     }
-    writeTimings(classification);
+    secondsBefore_ = seconds_;
+    writeTimings();
 }
 
-void AnalysisSession::writeTimings(const Classification& classification)
+void AnalysisSession::writeFiles()
+{
+    if (!folder_ || !isClassified() || filesWritten_)
+    {
+        return;
+    }
+    const Busy busy(busySeconds_);
+    filesWritten_ = true;
+    const auto itsTurn = [&](label interval)
+    { return interval > 0 && latest_->index % interval == 0; };
+    {
+        const Busy writing(writingSeconds_);
+        enter(Phase::writing);
+        if (itsTurn(controls_.surfaceInterval))
+        {
+            folder_->writeSurfaces(*latest_);
+        }
+        if (itsTurn(controls_.particleInterval))
+        {
+            folder_->writeParticles(tracker_.particles(), *latest_);
+        }
+    }
+    writeTimings();
+}
+
+// The row of the latest classified time, anew where its files came later.
+void AnalysisSession::writeTimings()
 {
     const TrackerTimings& t = tracker_.timings();
-    const std::vector<scalar> seconds{
-        readingSeconds_, t.reconstruction, t.parametrization, t.advection,
-        t.particles,     t.matching,       t.transfer,        writingSeconds_,
-    };
-    lastSeconds_.resize(seconds.size(), 0);
-    std::vector<scalar> since(seconds);
-    for (std::size_t i = 0; i < seconds.size(); ++i)
+    seconds_ = {readingSeconds_, t.reconstruction, t.parametrization,
+                t.advection,     t.particles,      t.matching,
+                t.transfer,      t.statistics,     writingSeconds_};
+    std::vector<scalar> since(seconds_);
+    for (std::size_t i = 0; i < since.size(); ++i)
     {
-        since[i] -= lastSeconds_[i];
+        since[i] -= secondsBefore_[i];
     }
-    folder_->writeTimings(
-        classification.statistics.time,
-        {"reading", "reconstruction", "parametrization", "advection", "particles",
-         "matching", "transfer", "writing"},
-        since
-    );
-    lastSeconds_ = seconds;
+    folder_->writeTimings(statistics_.time, since);
 }
 
 void AnalysisSession::complete() const
 {
-    if (folder_ && anyClassified_)
+    if (folder_ && nClassified_ > 0)
     {
         folder_->complete();
     }
@@ -242,8 +295,12 @@ void AnalysisSession::announce() const
                  << " reconstruction, sharpening "
                  << sharpeningNames()[label(other.sharpening)].c_str() << nl;
         }
-        Info << "    results in " << mesh_.time().relativePath(folder_->path()) << nl
-             << endl;
+        if (folder_)
+        {
+            Info << "    results in " << mesh_.time().relativePath(folder_->path())
+                 << nl;
+        }
+        Info << endl;
     }
 }
 

@@ -41,13 +41,34 @@ const Enum<OnError> onErrorNames({
     {OnError::resume, "resume"},
 });
 
-const wordList ownEntries{"alpha",           "U",          "phi",
-                          "velocity",        "region",     "reconstruction",
-                          "reconstructions", "files",      "sharpening",
-                          "smooth",          "epsilon",    "epsilonAbsolute",
-                          "merge",           "normalGate", "seamTreatment",
-                          "wallVelocity",    "tolerance",  "maxParticles",
-                          "flattening",      "nThreads"};
+const wordList ownEntries{
+    "alpha",
+    "U",
+    "phi",
+    "velocity",
+    "region",
+    "reconstruction",
+    "reconstructions",
+    "files",
+    "sharpening",
+    "smooth",
+    "epsilon",
+    "epsilonAbsolute",
+    "merge",
+    "normalGate",
+    "seamTreatment",
+    "wallVelocity",
+    "tolerance",
+    "maxParticles",
+    "flattening",
+    "nThreads",
+    "writePrecision",
+    "surfaceInterval",
+    "particleInterval"};
+
+const wordList solverEntries{
+    "classifyControl", "classifyInterval", "classifyDisplacement", "writeToFile",
+    "onError"};
 
 // What OpenFOAM itself reads from the dictionary of any function object.
 const wordList functionObjectEntries{
@@ -69,16 +90,13 @@ const wordList functionObjectEntries{
     "writeControl",
     "writeInterval",
     "outputControl",
-    "outputInterval",
-    "useUserTime",
-    "field",
-    "fields"};
+    "outputInterval"};
 
 void checkEntries(const dictionary& dict, Shell shell)
 {
     wordList allowed(ownEntries);
     const bool inSolver = shell == Shell::functionObject;
-    allowed.append(word(inSolver ? "onError" : "methods"));
+    allowed.append(inSolver ? solverEntries : wordList{"methods"});
     checkKeys(dict, allowed, inSolver ? functionObjectEntries : wordList());
 }
 
@@ -194,6 +212,49 @@ void readLater(const dictionary& dict, Shell shell, Controls& controls)
     }
 }
 
+// Entries that belong together.
+ClassifyOptions readClassify(const dictionary& dict)
+{
+    using Control = ClassifyControl;
+    ClassifyOptions options;
+    options.control =
+        readEnum(dict, "classifyControl", options.control, classifyControlNames());
+    const Control control = options.control;
+    if (control == Control::timeStep || control == Control::writeTime)
+    {
+        options.interval =
+            readNumber<label>(dict, "classifyInterval", 1, Range{1, 1e9, ""});
+    }
+    else if (control == Control::runTime || control == Control::adjustableRunTime)
+    {
+        options.interval = readNumber<scalar>(
+            dict, "classifyInterval", -1, Range{0, GREAT, " (user's time)", true}
+        );
+        if (options.interval < 0)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry 'classifyInterval' is missing, which classifyControl "
+                << classifyControlNames()[control] << " needs." << exit(FatalIOError);
+        }
+    }
+    else if (dict.found("classifyInterval", keyType::LITERAL))
+    {
+        refuse(
+            dict, "classifyInterval",
+            "an interval with the classifyControl timeStep, writeTime, runTime or "
+            "adjustableRunTime only"
+        );
+    }
+    options.displacement = readNumber<scalar>(
+        dict, "classifyDisplacement", 0, Range{0, 100, " cells", true}
+    );
+    if (control == Control::none && options.displacement == 0)
+    {
+        refuse(dict, "classifyControl", "none together with classifyDisplacement only");
+    }
+    return options;
+}
+
 TrackerOptions readTrackerOptions(const dictionary& dict, Shell shell)
 {
     TrackerOptions options;
@@ -222,6 +283,20 @@ TrackerOptions readTrackerOptions(const dictionary& dict, Shell shell)
 
 } // namespace
 
+const Enum<ClassifyControl>& classifyControlNames()
+{
+    static const Enum<ClassifyControl> names({
+        {ClassifyControl::asWritten, "asWritten"},
+        {ClassifyControl::none, "none"},
+        {ClassifyControl::timeStep, "timeStep"},
+        {ClassifyControl::writeTime, "writeTime"},
+        {ClassifyControl::runTime, "runTime"},
+        {ClassifyControl::adjustableRunTime, "adjustableRunTime"},
+        {ClassifyControl::onEnd, "onEnd"},
+    });
+    return names;
+}
+
 Controls readControls(const dictionary& dict, Shell shell)
 {
     checkEntries(dict, shell);
@@ -238,6 +313,14 @@ Controls readControls(const dictionary& dict, Shell shell)
     controls.files = {
         {-VGREAT, readFiles(dict, controls.tracker.reconstruction.method)}};
     readLater(dict, shell, controls);
+    controls.writePrecision =
+        readNumber<label>(dict, "writePrecision", 15, Range{3, 17, " digits"});
+    controls.surfaceInterval =
+        readNumber<label>(dict, "surfaceInterval", 1, Range{0, 1e9, ""});
+    controls.particleInterval =
+        readNumber<label>(dict, "particleInterval", 1, Range{0, 1e9, ""});
+    controls.writeToFile = readSwitch(dict, "writeToFile", true);
+    controls.classify = readClassify(dict);
     controls.onError = readEnum(dict, "onError", OnError::stop, onErrorNames);
     return controls;
 }

@@ -85,6 +85,14 @@ void StabilityTracker::makeReconstructions()
     }
 }
 
+void StabilityTracker::enter(Phase phase) const
+{
+    if (options_.entering)
+    {
+        options_.entering(phase);
+    }
+}
+
 scalar StabilityTracker::time() const
 {
     return latest_->time;
@@ -124,10 +132,12 @@ void StabilityTracker::advance(std::shared_ptr<const FlowSnapshot> snapshot)
         std::make_shared<const PointVelocity>(snapshot, options_.wallVelocity);
     const VelocityInterval interval(latestVelocity_, velocity);
     {
+        enter(Phase::advection);
         Stopwatch watch(timings_.advection);
         add(surfaceCounts_, advanceAll(pathlines_, interval));
     }
     {
+        enter(Phase::particles);
         Stopwatch watch(timings_.particles);
         List<Pathline> paths(particles_.paths());
         add(particleCounts_, advanceAll(paths, interval));
@@ -150,6 +160,14 @@ void StabilityTracker::placeTimeSurface()
             timeSurface_.cellSizes[pointi] = complex.cellSizes()[path.hint.cell];
         }
     }
+}
+
+scalar StabilityTracker::displacement()
+{
+    placeTimeSurface();
+    Statistics statistics;
+    surveyDisplacement(statistics, timeSurface_, seeds_);
+    return statistics.displacement;
 }
 
 StabilityTracker::SmallScales StabilityTracker::smallScales(const InterfaceMesh& mesh)
@@ -202,6 +220,7 @@ void StabilityTracker::findCells(InterfaceMesh& surface) const
 void StabilityTracker::startSurface(const InterfaceMesh& mesh)
 {
     {
+        enter(Phase::parametrization);
         Stopwatch watch(timings_.parametrization);
         result_.parametrization =
             parametrize(exchange_.gather(mesh), options_.parametrization);
@@ -215,6 +234,7 @@ void StabilityTracker::startSurface(const InterfaceMesh& mesh)
 
 ReconstructionResult StabilityTracker::extract()
 {
+    enter(Phase::reconstruction);
     Stopwatch watch(timings_.reconstruction);
     const ReconstructionOptions* options = &options_.reconstruction;
     std::size_t present = 0;
@@ -251,6 +271,7 @@ void StabilityTracker::compare(const InterfaceMesh& extracted)
     List<Match> onInterface;
     List<Match> onTimeSurface;
     {
+        enter(Phase::matching);
         Stopwatch watch(timings_.matching);
         const InterfaceMesh interface(exchange_.share(mesh, timeSurface_, radius));
         const MatchTarget interfaceTarget(interface, options_.matching);
@@ -258,6 +279,7 @@ void StabilityTracker::compare(const InterfaceMesh& extracted)
         onInterface = matchPoints(mesh, target, options_.matching);
     }
     {
+        enter(Phase::transfer);
         Stopwatch watch(timings_.transfer);
         result_.transfer =
             transfer(mesh, onInterface, target, options_.transfer, chart_);
@@ -301,6 +323,8 @@ void StabilityTracker::seedParticles()
 
 void StabilityTracker::takeStock(const ReconstructionResult& extracted)
 {
+    enter(Phase::statistics);
+    Stopwatch watch(timings_.statistics);
     Statistics& statistics = result_.statistics;
     statistics.time = latest_->time;
     statistics.interval = latest_->time - lastClassified_;

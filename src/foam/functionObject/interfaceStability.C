@@ -22,14 +22,33 @@ namespace
 // `onError resume` gives up after so many failures without a result in between.
 constexpr label maxFailures = 3;
 
+// Of the region that the dictionary names; OpenFOAM's own look-up would drop the
+// function object with a warning where there is no such mesh.
+const fvMesh& meshOf(const Time& runTime, const dictionary& dict)
+{
+    const word region(dict.getOrDefault<word>("region", polyMesh::defaultRegion));
+    const auto* mesh = runTime.findObject<fvMesh>(region);
+    if (!mesh)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'region' is '" << region << "'; allowed is a mesh of this run: "
+            << flatOutput(runTime.sortedNames<fvMesh>()) << '.' << exit(FatalIOError);
+    }
+    return *mesh;
+}
+
 } // namespace
 
 interfaceStability::interfaceStability(
     const word& name, const Time& runTime, const dictionary& dict
 )
-    : fvMeshFunctionObject(name, runTime, dict)
+    : fvMeshFunctionObject(name, meshOf(runTime, dict), dict),
+      writeFile(mesh_, name, typeName)
 {
-    read(dict);
+    const stability::RunCost::Share share(cost_);
+    readFirst(dict);
+    // A condition of runTimeControl holds where its value does not exist.
+    publish(stability::Statistics());
     if (Pstream::parRun())
     {
         nFailures_ = maxFailures;
@@ -41,51 +60,66 @@ interfaceStability::interfaceStability(
     {
         checkFields(dict);
     }
-    if (!beginsLater(dict))
+    if (beginsNow(dict))
     {
         advance();
     }
 }
 
-bool interfaceStability::read(const dictionary& dict)
+interfaceStability::~interfaceStability()
+{
+    // end() is not called after timeEnd.
+    finish();
+}
+
+void interfaceStability::readFirst(const dictionary& dict)
+{
+    fvMeshFunctionObject::read(dict);
+    controls_ = stability::readControls(dict, stability::Shell::functionObject);
+    everyWrite_ = dict.found("writeControl") || dict.found("outputControl");
+    schedule_ =
+        std::make_unique<stability::ClassifySchedule>(time_, controls_.classify);
+    writeToFile_ = controls_.writeToFile && Pstream::master();
+    writePrecision_ = controls_.writePrecision;
+}
+
+void interfaceStability::readAgain(const dictionary& dict)
 {
     stability::Controls controls;
-    const auto parse = [&]
-    { controls = stability::readControls(dict, stability::Shell::functionObject); };
-    if (!wasRead_)
-    {
-        fvMeshFunctionObject::read(dict);
-        parse();
-        controls_ = controls;
-        wasRead_ = true;
-    }
-    else
-    {
-        // A slip of the pen must not end a job that runs.
-        const std::string failure = stability::failureOf(
-            [&]
-            {
-                parse();
-                fvMeshFunctionObject::read(dict);
-            }
-        );
-        if (!failure.empty())
+    // A slip of the pen must not end a job that runs.
+    const std::string failure = stability::failureOf(
+        [&]
         {
-            Warning << type() << ' ' << name() << ": " << failure.c_str() << nl
-                    << "    The entries stay as they were." << endl;
-            return true;
+            controls = stability::readControls(dict, stability::Shell::functionObject);
+            fvMeshFunctionObject::read(dict);
         }
-        controls_.onError = controls.onError;
-        Info << type() << ' ' << name()
-             << ": entries were read again; onError, log and "
-             << "the time controls apply now, the others at the next start." << endl;
+    );
+    if (!failure.empty())
+    {
+        Warning << type() << ' ' << name() << ": " << failure.c_str() << nl
+                << "    The entries stay as they were." << endl;
+        return;
     }
+    controls_.onError = controls.onError;
     everyWrite_ = dict.found("writeControl") || dict.found("outputControl");
+    Info << type() << ' ' << name() << ": entries were read again; onError, log and "
+         << "the time controls apply now, the others at the next start." << endl;
     if (session_)
     {
         session_->report(log);
     }
+}
+
+// Later readings find a job that runs.
+bool interfaceStability::read(const dictionary& dict)
+{
+    readAgain(dict);
     return true;
+}
+
+stability::FieldSource interfaceStability::source()
+{
+    return postProcess ? stability::FieldSource::disk : stability::FieldSource::solver;
 }
 
 void interfaceStability::checkFields(const dictionary& dict) const
@@ -98,13 +132,17 @@ void interfaceStability::checkFields(const dictionary& dict) const
     const std::string failure = stability::failureOf(
         [&]
         {
-            const stability::CaseFields fields(mesh_, controls_.alpha, controls_.U);
+            const stability::CaseFields fields(
+                mesh_, controls_.alpha, controls_.U, source()
+            );
             const std::string missing = fields.missing();
             if (!missing.empty())
             {
                 throw std::runtime_error(missing);
             }
-            stability::FaceFlux flux(mesh_, controls_.phi, controls_.velocity);
+            stability::FaceFlux flux(
+                mesh_, controls_.phi, controls_.velocity, source()
+            );
             flux.choose(instantList());
         }
     );
@@ -114,15 +152,26 @@ void interfaceStability::checkFields(const dictionary& dict) const
     }
 }
 
-bool interfaceStability::beginsLater(const dictionary& dict) const
+// As functionObjects::timeControl, which calls execute() while it is so.
+bool interfaceStability::beginsNow(const dictionary& dict) const
 {
-    // As timeControl, which calls execute() from then on.
     scalar timeStart = -VGREAT;
     if (dict.readIfPresent("timeStart", timeStart))
     {
         timeStart = time_.userTimeToTime(timeStart);
     }
-    return time_.value() < timeStart - 0.5 * time_.deltaTValue();
+    const bool inTime = time_.value() >= timeStart - 0.5 * time_.deltaTValue();
+    label triggerStart = labelMax;
+    if (!dict.readIfPresent("triggerStart", triggerStart))
+    {
+        return inTime;
+    }
+    const bool inTrigger = time_.functionObjects().triggerIndex() >= triggerStart;
+    const word mode(dict.get<word>("controlMode"));
+    return mode == "trigger"          ? inTrigger
+           : mode == "timeOrTrigger"  ? inTime || inTrigger
+           : mode == "timeAndTrigger" ? inTime && inTrigger
+                                      : inTime;
 }
 
 void interfaceStability::guarded(const std::function<void()>& work)
@@ -138,8 +187,9 @@ void interfaceStability::guarded(const std::function<void()>& work)
     {
         return;
     }
+    const std::string phase = stability::phaseNames()[std::size_t(session_->phase())];
     session_.reset();
-    report(failure);
+    report(phase + ": " + failure);
 }
 
 void interfaceStability::report(const std::string& failure)
@@ -147,9 +197,11 @@ void interfaceStability::report(const std::string& failure)
     ++nFailures_;
     disabled_ =
         controls_.onError == stability::OnError::stop || nFailures_ >= maxFailures;
-    Warning << type() << ' ' << name() << ": " << failure.c_str() << nl
-            << (disabled_ ? "    The analysis stops here; the solver goes on."
-                          : "    The analysis starts afresh at the next step.")
+    Warning << type() << ' ' << name() << ": in step " << time_.timeIndex() << ", time "
+            << time_.timeName() << " s: " << failure.c_str() << nl
+            << (!disabled_    ? "    The analysis starts afresh at the next step."
+                : postProcess ? "    The analysis stops here."
+                              : "    The analysis stops here; the solver goes on.")
             << endl;
 }
 
@@ -164,17 +216,13 @@ void interfaceStability::advance()
     {
         begin();
     }
-    guarded(
-        [&]
-        {
-            session_->advance();
-            // The start is classified whatever time it is.
-            if (starts)
-            {
-                session_->classify();
-            }
-        }
-    );
+    guarded([&] { session_->advance(); });
+    if (starts)
+    {
+        // The start is classified and written whatever time it is.
+        classify();
+        guarded([&] { session_->writeFiles(); });
+    }
 }
 
 void interfaceStability::begin()
@@ -183,8 +231,9 @@ void interfaceStability::begin()
     const std::string failure = stability::failureOf(
         [&]
         {
-            session_ =
-                std::make_unique<stability::AnalysisSession>(mesh_, controls_, name());
+            session_ = std::make_unique<stability::AnalysisSession>(
+                mesh_, controls_, baseFileDir() / name(), source()
+            );
             session_->report(log);
         }
     );
@@ -194,30 +243,90 @@ void interfaceStability::begin()
     }
 }
 
+void interfaceStability::classify()
+{
+    guarded(
+        [&]
+        {
+            session_->classify();
+            publish(session_->statistics());
+            nFailures_ = 0;
+        }
+    );
+}
+
+// Where other function objects find them, runTimeControl above all.
+void interfaceStability::publish(const stability::Statistics& statistics)
+{
+    const std::vector<std::string> names = stability::Statistics::columns();
+    const std::vector<scalar> values = statistics.values();
+    for (std::size_t i = 1; i < names.size(); ++i)
+    {
+        setResult(word(names[i]), values[i]);
+    }
+    const scalar detached =
+        statistics.detachedNearWall + statistics.detachedElsewhere; // [m2]
+    setResult(word("detachedArea"), detached);
+}
+
 bool interfaceStability::execute()
 {
+    const stability::RunCost::Share share(cost_);
+    bool due = schedule_->due();
     advance();
+    if (controls_.classify.displacement > 0)
+    {
+        guarded([&]
+                { due |= session_->displacement() >= controls_.classify.displacement; }
+        );
+    }
+    if (due && !postProcess)
+    {
+        classify();
+    }
     return true;
 }
 
 bool interfaceStability::write()
 {
-    if (everyWrite_ || time_.writeTime() || postProcess)
+    const stability::RunCost::Share share(cost_);
+    const bool asWritten = schedule_->asWritten() && (everyWrite_ || time_.writeTime());
+    if (asWritten || postProcess)
     {
-        guarded(
-            [&]
-            {
-                session_->classify();
-                nFailures_ = 0;
-            }
-        );
+        classify();
     }
+    guarded([&] { session_->writeFiles(); });
     return true;
 }
 
 bool interfaceStability::end()
 {
+    finish();
+    return true;
+}
+
+void interfaceStability::finish()
+{
+    if (finished_)
+    {
+        return;
+    }
+    finished_ = true;
+    if (postProcess && session_ && session_->nClassified() < 2)
+    {
+        Warning << type() << ' ' << name() << ": one time was selected; the analysis "
+                << "compares consecutive times and needs at least two." << endl;
+    }
     guarded([&] { session_->complete(); });
+    if (log)
+    {
+        Info << type() << ' ' << name() << ": " << cost_.text().c_str() << nl << endl;
+    }
+}
+
+bool interfaceStability::adjustTimeStep()
+{
+    schedule_->adjustTimeStep(const_cast<Time&>(time_));
     return true;
 }
 
