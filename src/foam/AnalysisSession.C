@@ -4,7 +4,7 @@
 #include "foam/AnalysisSession.H"
 
 #include "core/Errors.H"
-#include "clockTime.H"
+#include "foam/Busy.H"
 #include "fvMesh.H"
 
 #include <cmath>
@@ -15,20 +15,6 @@ namespace Foam::stability
 
 namespace
 {
-
-// Adds the seconds of its life to a counter.
-class Busy
-{
-public:
-    explicit Busy(scalar& seconds) : seconds_(seconds) {}
-    ~Busy() { seconds_ += clock_.elapsedTime(); }
-    Busy(const Busy&) = delete;
-    Busy& operator=(const Busy&) = delete;
-
-private:
-    scalar& seconds_;
-    const clockTime clock_;
-};
 
 void checkFinite(
     const std::vector<scalar>& values, const std::vector<std::string>& columns

@@ -212,49 +212,6 @@ void readLater(const dictionary& dict, Shell shell, Controls& controls)
     }
 }
 
-// Entries that belong together.
-ClassifyOptions readClassify(const dictionary& dict)
-{
-    using Control = ClassifyControl;
-    ClassifyOptions options;
-    options.control =
-        readEnum(dict, "classifyControl", options.control, classifyControlNames());
-    const Control control = options.control;
-    if (control == Control::timeStep || control == Control::writeTime)
-    {
-        options.interval =
-            readNumber<label>(dict, "classifyInterval", 1, Range{1, 1e9, ""});
-    }
-    else if (control == Control::runTime || control == Control::adjustableRunTime)
-    {
-        options.interval = readNumber<scalar>(
-            dict, "classifyInterval", -1, Range{0, GREAT, " (user's time)", true}
-        );
-        if (options.interval < 0)
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry 'classifyInterval' is missing, which classifyControl "
-                << classifyControlNames()[control] << " needs." << exit(FatalIOError);
-        }
-    }
-    else if (dict.found("classifyInterval", keyType::LITERAL))
-    {
-        refuse(
-            dict, "classifyInterval",
-            "an interval with the classifyControl timeStep, writeTime, runTime or "
-            "adjustableRunTime only"
-        );
-    }
-    options.displacement = readNumber<scalar>(
-        dict, "classifyDisplacement", 0, Range{0, 100, " cells", true}
-    );
-    if (control == Control::none && options.displacement == 0)
-    {
-        refuse(dict, "classifyControl", "none together with classifyDisplacement only");
-    }
-    return options;
-}
-
 TrackerOptions readTrackerOptions(const dictionary& dict, Shell shell)
 {
     TrackerOptions options;
@@ -282,20 +239,6 @@ TrackerOptions readTrackerOptions(const dictionary& dict, Shell shell)
 }
 
 } // namespace
-
-const Enum<ClassifyControl>& classifyControlNames()
-{
-    static const Enum<ClassifyControl> names({
-        {ClassifyControl::asWritten, "asWritten"},
-        {ClassifyControl::none, "none"},
-        {ClassifyControl::timeStep, "timeStep"},
-        {ClassifyControl::writeTime, "writeTime"},
-        {ClassifyControl::runTime, "runTime"},
-        {ClassifyControl::adjustableRunTime, "adjustableRunTime"},
-        {ClassifyControl::onEnd, "onEnd"},
-    });
-    return names;
-}
 
 Controls readControls(const dictionary& dict, Shell shell)
 {

@@ -11,15 +11,9 @@
 namespace Foam::stability
 {
 
-scalar RunCost::secondsSince(std::chrono::steady_clock::time_point begin)
-{
-    const std::chrono::duration<scalar> life = std::chrono::steady_clock::now() - begin;
-    return life.count();
-}
-
 std::string RunCost::text() const
 {
-    const scalar total = secondsSince(begin_);
+    const scalar total = Busy::secondsSince(begin_);
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     std::ostringstream os;

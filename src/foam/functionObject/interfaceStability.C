@@ -5,6 +5,7 @@
 
 #include "addToRunTimeSelectionTable.H"
 #include "foam/Failures.H"
+#include "foam/functionObject/StartChecks.H"
 #include "fvMesh.H"
 #include "sigFpe.H"
 
@@ -22,30 +23,15 @@ namespace
 // `onError resume` gives up after so many failures without a result in between.
 constexpr label maxFailures = 3;
 
-// Of the region that the dictionary names; OpenFOAM's own look-up would drop the
-// function object with a warning where there is no such mesh.
-const fvMesh& meshOf(const Time& runTime, const dictionary& dict)
-{
-    const word region(dict.getOrDefault<word>("region", polyMesh::defaultRegion));
-    const auto* mesh = runTime.findObject<fvMesh>(region);
-    if (!mesh)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'region' is '" << region << "'; allowed is a mesh of this run: "
-            << flatOutput(runTime.sortedNames<fvMesh>()) << '.' << exit(FatalIOError);
-    }
-    return *mesh;
-}
-
 } // namespace
 
 interfaceStability::interfaceStability(
     const word& name, const Time& runTime, const dictionary& dict
 )
-    : fvMeshFunctionObject(name, meshOf(runTime, dict), dict),
+    : fvMeshFunctionObject(name, stability::meshOf(runTime, dict), dict),
       writeFile(mesh_, name, typeName)
 {
-    const stability::RunCost::Share share(cost_);
+    const stability::Busy busy(cost_.seconds());
     readFirst(dict);
     // A condition of runTimeControl holds where its value does not exist.
     publish(stability::Statistics());
@@ -58,9 +44,9 @@ interfaceStability::interfaceStability(
     }
     if (!postProcess)
     {
-        checkFields(dict);
+        stability::checkFields(mesh_, controls_, dict);
     }
-    if (beginsNow(dict))
+    if (stability::beginsNow(time_, dict))
     {
         advance();
     }
@@ -120,58 +106,6 @@ bool interfaceStability::read(const dictionary& dict)
 stability::FieldSource interfaceStability::source()
 {
     return postProcess ? stability::FieldSource::disk : stability::FieldSource::solver;
-}
-
-void interfaceStability::checkFields(const dictionary& dict) const
-{
-    // Without any field the solver has not made them yet.
-    if (mesh_.names<volVectorField>().empty())
-    {
-        return;
-    }
-    const std::string failure = stability::failureOf(
-        [&]
-        {
-            const stability::CaseFields fields(
-                mesh_, controls_.alpha, controls_.U, source()
-            );
-            const std::string missing = fields.missing();
-            if (!missing.empty())
-            {
-                throw std::runtime_error(missing);
-            }
-            stability::FaceFlux flux(
-                mesh_, controls_.phi, controls_.velocity, source()
-            );
-            flux.choose(instantList());
-        }
-    );
-    if (!failure.empty())
-    {
-        FatalIOErrorInFunction(dict) << failure.c_str() << exit(FatalIOError);
-    }
-}
-
-// As functionObjects::timeControl, which calls execute() while it is so.
-bool interfaceStability::beginsNow(const dictionary& dict) const
-{
-    scalar timeStart = -VGREAT;
-    if (dict.readIfPresent("timeStart", timeStart))
-    {
-        timeStart = time_.userTimeToTime(timeStart);
-    }
-    const bool inTime = time_.value() >= timeStart - 0.5 * time_.deltaTValue();
-    label triggerStart = labelMax;
-    if (!dict.readIfPresent("triggerStart", triggerStart))
-    {
-        return inTime;
-    }
-    const bool inTrigger = time_.functionObjects().triggerIndex() >= triggerStart;
-    const word mode(dict.get<word>("controlMode"));
-    return mode == "trigger"          ? inTrigger
-           : mode == "timeOrTrigger"  ? inTime || inTrigger
-           : mode == "timeAndTrigger" ? inTime && inTrigger
-                                      : inTime;
 }
 
 void interfaceStability::guarded(const std::function<void()>& work)
@@ -271,7 +205,7 @@ void interfaceStability::publish(const stability::Statistics& statistics)
 
 bool interfaceStability::execute()
 {
-    const stability::RunCost::Share share(cost_);
+    const stability::Busy busy(cost_.seconds());
     bool due = schedule_->due();
     advance();
     if (controls_.classify.displacement > 0)
@@ -289,7 +223,7 @@ bool interfaceStability::execute()
 
 bool interfaceStability::write()
 {
-    const stability::RunCost::Share share(cost_);
+    const stability::Busy busy(cost_.seconds());
     const bool asWritten = schedule_->asWritten() && (everyWrite_ || time_.writeTime());
     if (asWritten || postProcess)
     {
