@@ -4,10 +4,9 @@
 #include "foam/AnalysisSession.H"
 
 #include "core/Errors.H"
+#include "foam/Busy.H"
 #include "foam/Failures.H"
 #include "foam/ranks/PstreamExchange.H"
-
-#include "clockTime.H"
 #include "fvMesh.H"
 
 #include <algorithm>
@@ -19,20 +18,6 @@ namespace Foam::stability
 
 namespace
 {
-
-// Adds the seconds of its life to a counter.
-class Busy
-{
-public:
-    explicit Busy(scalar& seconds) : seconds_(seconds) {}
-    ~Busy() { seconds_ += clock_.elapsedTime(); }
-    Busy(const Busy&) = delete;
-    Busy& operator=(const Busy&) = delete;
-
-private:
-    scalar& seconds_;
-    const clockTime clock_;
-};
 
 void checkFinite(
     const std::vector<scalar>& values, const std::vector<std::string>& columns
@@ -79,14 +64,17 @@ exchangeOf(const RankMessages& messages, const fvMesh& mesh)
 } // namespace
 
 AnalysisSession::AnalysisSession(
-    const fvMesh& mesh, const Controls& controls, const word& name
+    const fvMesh& mesh, const Controls& controls, const fileName& folder,
+    FieldSource source
 )
-    : mesh_(mesh), controls_(controls), name_(name),
-      fields_(mesh, controls.alpha, controls.U),
-      flux_(mesh, controls.phi, controls.velocity),
+    : mesh_(mesh), controls_(controls), resultFolder_(folder),
+      fields_(mesh, controls.alpha, controls.U, source),
+      flux_(mesh, controls.phi, controls.velocity, source),
       surfaces_(mesh.time(), controls.files),
       snapshots_(mesh, messages_, nRings(controls)),
-      exchange_(exchangeOf(messages_, mesh)), tracker_(controls.tracker, *exchange_)
+      exchange_(exchangeOf(messages_, mesh)),
+      tracker_(observed(controls.tracker), *exchange_),
+      seconds_(phaseNames().size(), 0), secondsBefore_(seconds_)
 {
     const bool fromFiles = std::any_of(
         controls.files.begin(), controls.files.end(),
@@ -124,6 +112,19 @@ void AnalysisSession::onMaster(const std::function<void()>& work) const
             }
         }
     );
+}
+
+TrackerOptions AnalysisSession::observed(const TrackerOptions& options)
+{
+    TrackerOptions result(options);
+    result.entering = [this](Phase phase) { enter(phase); };
+    return result;
+}
+
+void AnalysisSession::enter(Phase phase)
+{
+    phase_ = phase;
+    forced_.check(phase, fields_.time());
 }
 
 void AnalysisSession::expect(const instantList& times)
@@ -189,6 +190,7 @@ std::shared_ptr<FlowSnapshot> AnalysisSession::takeFields()
     together(
         [&]
         {
+            enter(Phase::reading);
             const std::string missing = fields_.missing();
             if (!missing.empty())
             {
@@ -213,17 +215,21 @@ std::shared_ptr<FlowSnapshot> AnalysisSession::takeFields()
 
 fileName AnalysisSession::resultPath() const
 {
-    fileName path(mesh_.time().globalPath() / "postProcessing");
-    if (mesh_.name() != polyMesh::defaultRegion)
+    return resultFolder_ / mesh_.time().timeName();
+}
+
+void AnalysisSession::makeFolder()
+{
+    if (controls_.writeToFile)
     {
-        path = path / mesh_.name();
+        folder_ = std::make_unique<ResultFolder>(path_, controls_.writePrecision);
     }
-    return path / name_ / mesh_.time().timeName();
 }
 
 void AnalysisSession::advance()
 {
     const Busy busy(busySeconds_);
+    phase_ = Phase::reading;
     if (meshChanged_)
     {
         throw BadInput(
@@ -235,7 +241,7 @@ void AnalysisSession::advance()
     {
         auto snapshot = takeSnapshot();
         path_ = resultPath();
-        onMaster([&] { folder_ = std::make_unique<ResultFolder>(path_); });
+        onMaster([&] { makeFolder(); });
         tracker_.start(std::move(snapshot));
         announce();
     }
@@ -245,22 +251,36 @@ void AnalysisSession::advance()
     }
 }
 
+bool AnalysisSession::isClassified() const
+{
+    return latest_ && statistics_.time == tracker_.time();
+}
+
+scalar AnalysisSession::displacement()
+{
+    const Busy busy(busySeconds_);
+    return tracker_.started() ? tracker_.displacement() : 0;
+}
+
 void AnalysisSession::classify()
 {
-    if (!tracker_.started() || (anyClassified_ && classifiedTime_ == tracker_.time()))
+    if (!tracker_.started() || isClassified())
     {
         return;
     }
     std::optional<Busy> busy(busySeconds_);
+    latest_ = nullptr;
     const Classification& classification = tracker_.classify();
     statistics_ = classification.statistics;
-    classifiedTime_ = tracker_.time();
-    anyClassified_ = true;
+    ++nClassified_;
+    latest_ = &classification;
+    filesWritten_ = false;
+    together([&] { enter(Phase::writing); });
     onMaster(
         [&]
         {
             checkFinite(classification.statistics.values(), Statistics::columns());
-            write(classification);
+            writeTables();
             busy.reset();
             progress_.classified(
                 classification, mesh_.time().timeName(), busySeconds_, controls_.tracker
@@ -278,40 +298,72 @@ void AnalysisSession::share(Statistics& statistics) const
     statistics = messages_.fromMaster(std::move(packet)).get<Statistics>();
 }
 
-void AnalysisSession::write(const Classification& classification)
+void AnalysisSession::writeTables()
 {
+    if (!folder_)
+    {
+        return;
+    }
     {
         const Busy busy(writingSeconds_);
-        folder_->write(classification, tracker_.particles());
+        folder_->writeTables(*latest_);
     }
-    writeTimings(classification);
+    secondsBefore_ = seconds_;
+    writeTimings();
 }
 
-void AnalysisSession::writeTimings(const Classification& classification)
+void AnalysisSession::writeFiles()
+{
+    if (!isClassified() || filesWritten_)
+    {
+        return;
+    }
+    const Busy busy(busySeconds_);
+    filesWritten_ = true;
+    together([&] { enter(Phase::writing); });
+    onMaster([&] { writeTurns(); });
+}
+
+void AnalysisSession::writeTurns()
+{
+    if (!folder_)
+    {
+        return;
+    }
+    const auto itsTurn = [&](label interval)
+    { return interval > 0 && latest_->index % interval == 0; };
+    {
+        const Busy writing(writingSeconds_);
+        if (itsTurn(controls_.surfaceInterval))
+        {
+            folder_->writeSurfaces(*latest_);
+        }
+        if (itsTurn(controls_.particleInterval))
+        {
+            folder_->writeParticles(tracker_.particles(), *latest_);
+        }
+    }
+    writeTimings();
+}
+
+// The row of the latest classified time, anew where its files came later.
+void AnalysisSession::writeTimings()
 {
     const TrackerTimings& t = tracker_.timings();
-    const std::vector<scalar> seconds{
-        readingSeconds_, t.reconstruction, t.parametrization, t.advection,
-        t.particles,     t.matching,       t.transfer,        writingSeconds_,
-    };
-    lastSeconds_.resize(seconds.size(), 0);
-    std::vector<scalar> since(seconds);
-    for (std::size_t i = 0; i < seconds.size(); ++i)
+    seconds_ = {readingSeconds_, t.reconstruction, t.parametrization,
+                t.advection,     t.particles,      t.matching,
+                t.transfer,      t.statistics,     writingSeconds_};
+    std::vector<scalar> since(seconds_);
+    for (std::size_t i = 0; i < since.size(); ++i)
     {
-        since[i] -= lastSeconds_[i];
+        since[i] -= secondsBefore_[i];
     }
-    folder_->writeTimings(
-        classification.statistics.time,
-        {"reading", "reconstruction", "parametrization", "advection", "particles",
-         "matching", "transfer", "writing"},
-        since
-    );
-    lastSeconds_ = seconds;
+    folder_->writeTimings(statistics_.time, since);
 }
 
 void AnalysisSession::complete() const
 {
-    if (folder_ && anyClassified_)
+    if (folder_ && nClassified_ > 0)
     {
         folder_->complete();
     }
@@ -339,7 +391,11 @@ void AnalysisSession::announce() const
                  << " reconstruction, sharpening "
                  << sharpeningNames()[label(other.sharpening)].c_str() << nl;
         }
-        Info << "    results in " << mesh_.time().relativePath(path_) << nl << endl;
+        if (controls_.writeToFile)
+        {
+            Info << "    results in " << mesh_.time().relativePath(path_) << nl;
+        }
+        Info << endl;
     }
 }
 

@@ -70,11 +70,15 @@ bool endsWith(const std::string& text, const std::string& end)
            && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-// The scalar fields alpha.* in memory or else on disk, without averages, old times
-// and set-up copies of them.
-wordList presentAlphas(const fvMesh& mesh)
+// The scalar fields alpha.* in a solver's memory or else on disk, without averages, old
+// times and set-up copies of them.
+wordList presentAlphas(const fvMesh& mesh, FieldSource fields)
 {
-    wordList candidates(mesh.sortedNames<volScalarField>());
+    wordList candidates;
+    if (fields == FieldSource::solver)
+    {
+        candidates = mesh.sortedNames<volScalarField>();
+    }
     if (candidates.empty())
     {
         const IOobjectList objects(mesh, mesh.time().timeName());
@@ -93,7 +97,7 @@ wordList presentAlphas(const fvMesh& mesh)
     return wordList(std::move(alphas));
 }
 
-word findAlpha(const fvMesh& mesh, std::string& source)
+word findAlpha(const fvMesh& mesh, FieldSource fields, std::string& source)
 {
     word file;
     const wordList phases(declaredPhases(mesh, file));
@@ -111,7 +115,7 @@ word findAlpha(const fvMesh& mesh, std::string& source)
         return IOobject::groupName("alpha", phases.first());
     }
 
-    const wordList alphas(presentAlphas(mesh));
+    const wordList alphas(presentAlphas(mesh, fields));
     const std::string time = "time " + mesh.time().timeName();
     if (alphas.empty())
     {
@@ -133,10 +137,14 @@ word findAlpha(const fvMesh& mesh, std::string& source)
 
 } // namespace
 
-CaseFields::CaseFields(const fvMesh& mesh, const word& alphaName, const word& UName)
+CaseFields::CaseFields(
+    const fvMesh& mesh, const word& alphaName, const word& UName, FieldSource fields
+)
     : mesh_(mesh), source_("the dictionary"),
-      alpha_(mesh, alphaName.empty() ? findAlpha(mesh, source_) : alphaName),
-      U_(mesh, UName)
+      alpha_(
+          mesh, alphaName.empty() ? findAlpha(mesh, fields, source_) : alphaName, fields
+      ),
+      U_(mesh, UName, fields)
 {
 }
 

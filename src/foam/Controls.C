@@ -4,13 +4,11 @@
 #include "foam/Controls.H"
 
 #include "core/parametrization/Flattening.H"
+#include "foam/EntryReaders.H"
 #include "IOdictionary.H"
 #include "OSspecific.H"
-#include "StringStream.H"
 
 #include <algorithm>
-#include <cstdlib>
-#include <sstream>
 #include <vector>
 
 #include <omp.h>
@@ -43,13 +41,34 @@ const Enum<OnError> onErrorNames({
     {OnError::resume, "resume"},
 });
 
-const wordList ownEntries{"alpha",           "U",          "phi",
-                          "velocity",        "region",     "reconstruction",
-                          "reconstructions", "files",      "sharpening",
-                          "smooth",          "epsilon",    "epsilonAbsolute",
-                          "merge",           "normalGate", "seamTreatment",
-                          "wallVelocity",    "tolerance",  "maxParticles",
-                          "flattening",      "nThreads"};
+const wordList ownEntries{
+    "alpha",
+    "U",
+    "phi",
+    "velocity",
+    "region",
+    "reconstruction",
+    "reconstructions",
+    "files",
+    "sharpening",
+    "smooth",
+    "epsilon",
+    "epsilonAbsolute",
+    "merge",
+    "normalGate",
+    "seamTreatment",
+    "wallVelocity",
+    "tolerance",
+    "maxParticles",
+    "flattening",
+    "nThreads",
+    "writePrecision",
+    "surfaceInterval",
+    "particleInterval"};
+
+const wordList solverEntries{
+    "classifyControl", "classifyInterval", "classifyDisplacement", "writeToFile",
+    "onError"};
 
 // What OpenFOAM itself reads from the dictionary of any function object.
 const wordList functionObjectEntries{
@@ -71,159 +90,14 @@ const wordList functionObjectEntries{
     "writeControl",
     "writeInterval",
     "outputControl",
-    "outputInterval",
-    "useUserTime",
-    "field",
-    "fields"};
+    "outputInterval"};
 
-// `others` are allowed, but not told.
-void checkKeys(
-    const dictionary& dict, const wordList& allowed, const wordList& others = wordList()
-)
-{
-    wordHashSet known(allowed);
-    known.insert(others);
-    std::string list;
-    for (const word& name : allowed)
-    {
-        list += (list.empty() ? "" : ", ") + name;
-    }
-    for (const entry& e : dict)
-    {
-        if (e.keyword() != "FoamFile" && !known.found(e.keyword()))
-        {
-            FatalIOErrorInFunction(dict)
-                << "Unknown entry '" << e.keyword() << "'; allowed are " << list.c_str()
-                << '.' << exit(FatalIOError);
-        }
-    }
-}
-
-void checkKeys(const dictionary& dict, Shell shell)
+void checkEntries(const dictionary& dict, Shell shell)
 {
     wordList allowed(ownEntries);
     const bool inSolver = shell == Shell::functionObject;
-    allowed.append(word(inSolver ? "onError" : "methods"));
+    allowed.append(inSolver ? solverEntries : wordList{"methods"});
     checkKeys(dict, allowed, inSolver ? functionObjectEntries : wordList());
-}
-
-struct Range
-{
-    scalar low;
-    scalar high;
-    const char* unit;
-    bool openLow = false; // low itself is not allowed
-};
-
-// The words of an entry, as given; empty where it is absent.
-std::string given(const dictionary& dict, const word& key)
-{
-    OStringStream os;
-    const entry* e = dict.findEntry(key, keyType::LITERAL);
-    if (e && e->isStream())
-    {
-        for (const token& t : e->stream())
-        {
-            os << (os.str().empty() ? "" : " ") << t;
-        }
-    }
-    return os.str();
-}
-
-[[noreturn]] void
-refuse(const dictionary& dict, const word& key, const std::string& allowed)
-{
-    FatalIOErrorInFunction(dict)
-        << "Entry '" << key << "' is '" << given(dict, key).c_str() << "'; allowed is "
-        << allowed.c_str() << '.' << exit(FatalIOError);
-    std::abort(); // not reached: exit() ends the program or throws
-}
-
-template<class Type>
-Type readNumber(
-    const dictionary& dict, const word& key, Type standard, const Range& range
-)
-{
-    if (!dict.found(key, keyType::LITERAL))
-    {
-        return standard;
-    }
-    constexpr bool whole = std::is_same_v<Type, label>;
-    std::ostringstream allowed;
-    allowed << (whole ? "a whole number, " : "a number, ")
-            << (range.openLow ? "above " : "") << range.low << " to " << range.high
-            << range.unit;
-
-    const entry* e = dict.findEntry(key, keyType::LITERAL);
-    if (!e->isStream() || e->stream().size() != 1)
-    {
-        refuse(dict, key, allowed.str());
-    }
-    const token& t = e->stream()[0];
-    if (whole ? !t.isLabel() : !t.isNumber())
-    {
-        refuse(dict, key, allowed.str());
-    }
-    const scalar value = t.number();
-    if (value < range.low || value > range.high
-        || (range.openLow && value == range.low))
-    {
-        refuse(dict, key, allowed.str());
-    }
-    return Type(value);
-}
-
-// The word of an entry, one of those named.
-word readWord(
-    const dictionary& dict, const word& key, const word& standard,
-    const std::vector<std::string>& names
-)
-{
-    if (!dict.found(key, keyType::LITERAL))
-    {
-        return standard;
-    }
-    const std::string value = given(dict, key);
-    if (std::find(names.begin(), names.end(), value) == names.end())
-    {
-        std::string list;
-        for (const std::string& name : names)
-        {
-            list += (list.empty() ? "" : ", ") + name;
-        }
-        refuse(dict, key, "one of " + list);
-    }
-    return value;
-}
-
-template<class EnumType>
-EnumType readEnum(
-    const dictionary& dict, const word& key, EnumType standard,
-    const Enum<EnumType>& names
-)
-{
-    const std::vector<std::string> list(names.names().begin(), names.names().end());
-    return names.get(readWord(dict, key, names.get(standard), list));
-}
-
-bool readSwitch(const dictionary& dict, const word& key, bool standard)
-{
-    const std::vector<std::string> names{"yes", "no", "true", "false", "on", "off"};
-    const word value = readWord(dict, key, standard ? "yes" : "no", names);
-    return value == "yes" || value == "true" || value == "on";
-}
-
-// The name of a field.
-word readName(const dictionary& dict, const word& key, const word& standard)
-{
-    const std::string value = given(dict, key);
-    if (dict.found(key, keyType::LITERAL)
-        && (value.empty() || !word::valid(value.front())
-            || value.find(' ') != value.npos))
-    {
-        refuse(dict, key, "one name");
-    }
-    return value.empty() ? standard : word(value);
 }
 
 Epsilon readEpsilon(const dictionary& dict, const word& reconstruction)
@@ -375,7 +249,7 @@ TrackerOptions readTrackerOptions(const dictionary& dict, Shell shell)
 
 Controls readControls(const dictionary& dict, Shell shell)
 {
-    checkKeys(dict, shell);
+    checkEntries(dict, shell);
     Controls controls;
     controls.alpha = readName(dict, "alpha", word::null);
     controls.U = readName(dict, "U", controls.U);
@@ -389,6 +263,14 @@ Controls readControls(const dictionary& dict, Shell shell)
     controls.files = {
         {-VGREAT, readFiles(dict, controls.tracker.reconstruction.method)}};
     readLater(dict, shell, controls);
+    controls.writePrecision =
+        readNumber<label>(dict, "writePrecision", 15, Range{3, 17, " digits"});
+    controls.surfaceInterval =
+        readNumber<label>(dict, "surfaceInterval", 1, Range{0, 1e9, ""});
+    controls.particleInterval =
+        readNumber<label>(dict, "particleInterval", 1, Range{0, 1e9, ""});
+    controls.writeToFile = readSwitch(dict, "writeToFile", true);
+    controls.classify = readClassify(dict);
     controls.onError = readEnum(dict, "onError", OnError::stop, onErrorNames);
     return controls;
 }

@@ -35,9 +35,10 @@ std::string wrongDimensions(const surfaceScalarField& phi, const word& timeName)
 } // namespace
 
 FaceFlux::FaceFlux(
-    const fvMesh& mesh, const word& phiName, std::optional<VelocityKind> asked
+    const fvMesh& mesh, const word& phiName, std::optional<VelocityKind> asked,
+    FieldSource fields
 )
-    : mesh_(mesh), phi_(mesh, phiName), asked_(asked)
+    : mesh_(mesh), phi_(mesh, phiName, fields), asked_(asked)
 {
 }
 

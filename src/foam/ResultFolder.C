@@ -52,13 +52,22 @@ std::string timeText(scalar time)
 
 } // namespace
 
-ResultFolder::ResultFolder(const fileName& path)
-    : path_(path), stability_("Areas in m2, displacement in cells, speeds in m/s"),
-      survival_("Fractions of T (detached) and M (attached) farther away than so many "
-                "cells"),
-      droplets_("Droplets and bubbles below 1.5 cells: radius in cells, volume in m3, "
-                "centroid in m"),
-      timing_("Seconds of wall-clock time, by phase, since the last classified time")
+ResultFolder::ResultFolder(const fileName& path, label precision)
+    : path_(path),
+      stability_("Areas in m2, displacement in cells, speeds in m/s", precision),
+      survival_(
+          "Fractions of T (detached) and M (attached) farther away than so many cells",
+          precision
+      ),
+      droplets_(
+          "Droplets and bubbles below 1.5 cells: radius in cells, volume in m3, "
+          "centroid in m",
+          precision
+      ),
+      timing_(
+          "Seconds of wall-clock time, by phase, since the last classified time",
+          precision
+      )
 {
     const fileName inTheWay(obstacle(path_));
     if (!inTheWay.empty())
@@ -71,10 +80,17 @@ ResultFolder::ResultFolder(const fileName& path)
     stability_.setColumns(Statistics::columns());
     survival_.setColumns(Statistics::survivalColumns());
     droplets_.setColumns(Droplet::columns());
+    std::vector<std::string> phases(phaseNames());
+    phases.insert(phases.begin(), "time");
+    timing_.setColumns(phases);
 }
 
 void ResultFolder::open()
 {
+    if (writer_)
+    {
+        return;
+    }
     writer_ = openWriter();
     if (!mkDir(path_))
     {
@@ -82,6 +98,8 @@ void ResultFolder::open()
         throw std::runtime_error("Cannot make the folder " + path_ + ".");
     }
     putEarlierResultsAside();
+    const sigFpe::ignore untrapped;
+    writer_->writeTexture(path_ / "texture.png", textureSize);
 }
 
 // The lists and tables first: no moment shows lists of files that are gone.
@@ -168,19 +186,25 @@ void ResultFolder::writeFamily(
     replaceFile(path_ / (family.name + ".vtp.series"), text + "  ]\n}\n");
 }
 
-void ResultFolder::write(const Classification& c, const InstabilityParticles& particles)
+void ResultFolder::writeSurfaces(const Classification& c)
 {
-    const Statistics& statistics = c.statistics;
-    if (!writer_)
-    {
-        open();
-        const sigFpe::ignore untrapped;
-        writer_->writeTexture(path_ / "texture.png", textureSize);
-    }
+    open();
     writeFamily(interfaces_, interfaceSurface(c), c.index);
     writeFamily(timeSurfaces_, timeSurface(c), c.index);
-    writeFamily(particles_, particleCloud(particles, statistics.time), c.index);
+}
 
+void ResultFolder::writeParticles(
+    const InstabilityParticles& particles, const Classification& c
+)
+{
+    open();
+    writeFamily(particles_, particleCloud(particles, c.statistics.time), c.index);
+}
+
+void ResultFolder::writeTables(const Classification& c)
+{
+    open();
+    const Statistics& statistics = c.statistics;
     stability_.addRow(statistics.values());
     stability_.write(path_ / "stability.dat");
     survival_.addRow(statistics.survivalValues());
@@ -192,16 +216,15 @@ void ResultFolder::write(const Classification& c, const InstabilityParticles& pa
     droplets_.write(path_ / "droplets.dat");
 }
 
-void ResultFolder::writeTimings(
-    scalar time, const std::vector<std::string>& phases,
-    const std::vector<scalar>& seconds
-)
+void ResultFolder::writeTimings(scalar time, const std::vector<scalar>& seconds)
 {
-    std::vector<std::string> columns{"time"};
-    columns.insert(columns.end(), phases.begin(), phases.end());
-    timing_.setColumns(columns);
-    std::vector<scalar> row{time};
-    row.insert(row.end(), seconds.begin(), seconds.end());
+    if (time == timingRow_)
+    {
+        timing_.dropLastRow();
+    }
+    timingRow_ = time;
+    std::vector<scalar> row(seconds);
+    row.insert(row.begin(), time);
     timing_.addRow(row);
     timing_.write(path_ / "timing.dat");
 }

@@ -14,13 +14,13 @@ namespace Foam::stability
 namespace
 {
 
-constexpr int precision = 15; // digits: what a table must keep to be compared
-constexpr int width = precision + 8;
+constexpr int addedWidth = 8; // sign, point and exponent
 
 } // namespace
 
 void ResultTable::setColumns(const std::vector<std::string>& names)
 {
+    const label width = precision_ + addedWidth;
     std::ostringstream os;
     os << "# " << title_ << "\n# " << std::left;
     for (std::size_t i = 0; i < names.size(); ++i)
@@ -34,13 +34,19 @@ void ResultTable::setColumns(const std::vector<std::string>& names)
 void ResultTable::addRow(const std::vector<scalar>& values)
 {
     std::ostringstream os;
-    os << std::left << std::setprecision(precision);
+    os << std::left << std::setprecision(precision_);
     for (std::size_t i = 0; i < values.size(); ++i)
     {
-        os << (i ? "\t" : "") << std::setw(width) << values[i];
+        os << (i ? "\t" : "") << std::setw(precision_ + addedWidth) << values[i];
     }
     os << '\n';
+    lastRow_ = rows_.size();
     rows_ += os.str();
+}
+
+void ResultTable::dropLastRow()
+{
+    rows_.resize(lastRow_);
 }
 
 void ResultTable::write(const fileName& path) const

@@ -42,7 +42,7 @@ IOobject StoredField<FieldType>::at(const word& timeName) const
 template<class FieldType>
 bool StoredField<FieldType>::inMemory() const
 {
-    return mesh_.foundObject<FieldType>(name_);
+    return source_ == FieldSource::solver && mesh_.foundObject<FieldType>(name_);
 }
 
 template<class FieldType>
@@ -54,7 +54,8 @@ bool StoredField<FieldType>::onDisk(const word& timeName) const
 template<class FieldType>
 std::string StoredField<FieldType>::complaint(const word& timeName) const
 {
-    const regIOobject* registered = mesh_.findObject<regIOobject>(name_);
+    const regIOobject* registered =
+        source_ == FieldSource::solver ? mesh_.findObject<regIOobject>(name_) : nullptr;
     if (registered)
     {
         return isA<FieldType>(*registered)
@@ -88,8 +89,8 @@ std::string StoredField<FieldType>::complaint(const word& timeName) const
 template<class FieldType>
 tmp<FieldType> StoredField<FieldType>::get() const
 {
-    const auto* registered = mesh_.findObject<FieldType>(name_);
-    return registered ? tmp<FieldType>(*registered) : read(mesh_.time().timeName());
+    return inMemory() ? tmp<FieldType>(mesh_.lookupObject<FieldType>(name_))
+                      : read(mesh_.time().timeName());
 }
 
 template<class FieldType>

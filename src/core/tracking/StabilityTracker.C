@@ -10,6 +10,7 @@
 #include "core/reconstruction/NoiseFloor.H"
 
 #include <chrono>
+#include <cmath>
 #include <sstream>
 #include <utility>
 
@@ -77,6 +78,14 @@ void StabilityTracker::makeReconstructions()
         before = later.from;
         later.reconstruction.nThreads = options_.nThreads;
         reconstructions_.push_back(Reconstruction::New(later.reconstruction));
+    }
+}
+
+void StabilityTracker::enter(Phase phase) const
+{
+    if (options_.entering)
+    {
+        options_.entering(phase);
     }
 }
 
@@ -156,10 +165,12 @@ void StabilityTracker::advance(std::shared_ptr<const FlowSnapshot> snapshot)
     const VelocityInterval interval(latestVelocity_, velocity);
     {
         Stopwatch watch(timings_.advection);
+        together([&] { enter(Phase::advection); });
         add(surfaceCounts_, advanceAll(pathlines_, interval));
     }
     {
         Stopwatch watch(timings_.particles);
+        together([&] { enter(Phase::particles); });
         add(particleCounts_, advanceAll(particlePaths_, interval));
     }
     latest_ = std::move(snapshot);
@@ -182,6 +193,23 @@ void StabilityTracker::placeTimeSurface()
     }
 }
 
+scalar StabilityTracker::displacement()
+{
+    const CellComplex& complex = *latest_->complex;
+    List<scalar> sums(2, 0);
+    for (const Pathline& path : pathlines_)
+    {
+        if (path.hint.cell >= 0)
+        {
+            const scalar h = complex.cellSizes()[path.hint.cell];
+            sums[0] += path.weight * magSqr(path.x - path.start) / sqr(h);
+            sums[1] += path.weight;
+        }
+    }
+    exchange_.sum(sums);
+    return sums[1] > 0 ? std::sqrt(sums[0] / sums[1]) : 0;
+}
+
 StabilityTracker::SmallScales StabilityTracker::smallScales(const InterfaceMesh& mesh)
 {
     Stopwatch watch(timings_.matching);
@@ -201,11 +229,13 @@ void StabilityTracker::seedPathlines(
     seedScales_ = scales;
     seeds_ = mesh.points;
     pathlines_.clear();
+    const scalarField areas(mesh.pointAreas());
     forAll(mesh.points, pointi)
     {
         Pathline path;
         path.id = pointi;
-        path.x = mesh.points[pointi];
+        path.x = path.start = mesh.points[pointi];
+        path.weight = areas[pointi];
         path.time = latest_->time;
         path.hint.cell = site_->complex->globalCell(mesh.cells[pointi]);
         pathlines_.append(path);
@@ -232,6 +262,7 @@ void StabilityTracker::findCells(InterfaceMesh& surface) const
 void StabilityTracker::startSurface(const InterfaceMesh& mesh)
 {
     {
+        enter(Phase::parametrization);
         Stopwatch watch(timings_.parametrization);
         result_.parametrization = parametrize(mesh, options_.parametrization);
     }
@@ -253,6 +284,7 @@ ReconstructionResult StabilityTracker::extractWhole(const Reconstruction& recons
 ReconstructionResult StabilityTracker::extract()
 {
     Stopwatch watch(timings_.reconstruction);
+    together([&] { enter(Phase::reconstruction); });
     const ReconstructionOptions* options = &options_.reconstruction;
     std::size_t present = 0;
     while (present < options_.later.size()
@@ -333,12 +365,14 @@ void StabilityTracker::compare(const InterfaceMesh& extracted)
     List<Match> onInterface;
     List<Match> onTimeSurface;
     {
+        enter(Phase::matching);
         Stopwatch watch(timings_.matching);
         const MatchTarget interfaceTarget(mesh, options_.matching);
         onTimeSurface = matchPoints(timeSurface_, interfaceTarget, options_.matching);
         onInterface = matchPoints(mesh, target, options_.matching);
     }
     {
+        enter(Phase::transfer);
         Stopwatch watch(timings_.transfer);
         result_.transfer =
             transfer(mesh, onInterface, target, options_.transfer, chart_);
@@ -382,6 +416,8 @@ void StabilityTracker::seedParticles()
 
 void StabilityTracker::takeStock(const ReconstructionResult& extracted)
 {
+    enter(Phase::statistics);
+    Stopwatch watch(timings_.statistics);
     Statistics& statistics = result_.statistics;
     statistics.time = latest_->time;
     statistics.interval = latest_->time - lastClassified_;

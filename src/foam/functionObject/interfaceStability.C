@@ -5,6 +5,7 @@
 
 #include "addToRunTimeSelectionTable.H"
 #include "foam/Failures.H"
+#include "foam/functionObject/StartChecks.H"
 #include "fvMesh.H"
 #include "sigFpe.H"
 
@@ -27,95 +28,77 @@ constexpr label maxFailures = 3;
 interfaceStability::interfaceStability(
     const word& name, const Time& runTime, const dictionary& dict
 )
-    : fvMeshFunctionObject(name, runTime, dict)
+    : fvMeshFunctionObject(name, stability::meshOf(runTime, dict), dict),
+      writeFile(mesh_, name, typeName)
 {
-    read(dict);
+    const stability::Busy busy(cost_.seconds());
+    readFirst(dict);
+    // A condition of runTimeControl holds where its value does not exist.
+    publish(stability::Statistics());
     if (!postProcess)
     {
-        checkFields(dict);
+        stability::checkFields(mesh_, controls_, dict);
     }
-    if (!beginsLater(dict))
+    if (stability::beginsNow(time_, dict))
     {
         advance();
     }
 }
 
-bool interfaceStability::read(const dictionary& dict)
+interfaceStability::~interfaceStability()
 {
-    stability::Controls controls;
-    const auto parse = [&]
-    { controls = stability::readControls(dict, stability::Shell::functionObject); };
-    if (!wasRead_)
-    {
-        fvMeshFunctionObject::read(dict);
-        parse();
-        controls_ = controls;
-        wasRead_ = true;
-    }
-    else
-    {
-        // A slip of the pen must not end a job that runs.
-        const std::string failure = stability::failureOf(
-            [&]
-            {
-                parse();
-                fvMeshFunctionObject::read(dict);
-            }
-        );
-        if (!failure.empty())
-        {
-            Warning << type() << ' ' << name() << ": " << failure.c_str() << nl
-                    << "    The entries stay as they were." << endl;
-            return true;
-        }
-        controls_.onError = controls.onError;
-        Info << type() << ' ' << name()
-             << ": entries were read again; onError, log and "
-             << "the time controls apply now, the others at the next start." << endl;
-    }
-    everyWrite_ = dict.found("writeControl") || dict.found("outputControl");
-    if (session_)
-    {
-        session_->report(log);
-    }
-    return true;
+    // end() is not called after timeEnd.
+    finish();
 }
 
-void interfaceStability::checkFields(const dictionary& dict) const
+void interfaceStability::readFirst(const dictionary& dict)
 {
-    // Without any field the solver has not made them yet.
-    if (mesh_.names<volVectorField>().empty())
-    {
-        return;
-    }
+    fvMeshFunctionObject::read(dict);
+    controls_ = stability::readControls(dict, stability::Shell::functionObject);
+    everyWrite_ = dict.found("writeControl") || dict.found("outputControl");
+    schedule_ =
+        std::make_unique<stability::ClassifySchedule>(time_, controls_.classify);
+    writeToFile_ = controls_.writeToFile && Pstream::master();
+    writePrecision_ = controls_.writePrecision;
+}
+
+void interfaceStability::readAgain(const dictionary& dict)
+{
+    stability::Controls controls;
+    // A slip of the pen must not end a job that runs.
     const std::string failure = stability::failureOf(
         [&]
         {
-            const stability::CaseFields fields(mesh_, controls_.alpha, controls_.U);
-            const std::string missing = fields.missing();
-            if (!missing.empty())
-            {
-                throw std::runtime_error(missing);
-            }
-            stability::FaceFlux flux(mesh_, controls_.phi, controls_.velocity);
-            flux.choose(instantList());
+            controls = stability::readControls(dict, stability::Shell::functionObject);
+            fvMeshFunctionObject::read(dict);
         }
     );
     if (!failure.empty())
     {
-        FatalIOErrorInFunction(dict) << failure.c_str() << exit(FatalIOError);
+        Warning << type() << ' ' << name() << ": " << failure.c_str() << nl
+                << "    The entries stay as they were." << endl;
+        return;
+    }
+    controls_.onError = controls.onError;
+    everyWrite_ = dict.found("writeControl") || dict.found("outputControl");
+    Info << type() << ' ' << name() << ": entries were read again; onError, log and "
+         << "the time controls apply now, the others at the next start." << endl;
+    if (session_)
+    {
+        session_->report(log);
     }
 }
 
-bool interfaceStability::beginsLater(const dictionary& dict) const
+// Later readings find a job that runs.
+bool interfaceStability::read(const dictionary& dict)
 {
-    // As timeControl, which calls execute() from then on.
-    scalar timeStart = -VGREAT;
-    if (dict.readIfPresent("timeStart", timeStart))
-    {
-        timeStart = time_.userTimeToTime(timeStart);
-    }
-    return time_.value() < timeStart - 0.5 * time_.deltaTValue();
+    readAgain(dict);
+    return true;
+}
+
+stability::FieldSource interfaceStability::source()
+{
+    return postProcess ? stability::FieldSource::disk : stability::FieldSource::solver;
 }
 
 void interfaceStability::guarded(const std::function<void()>& work)
@@ -131,8 +114,9 @@ void interfaceStability::guarded(const std::function<void()>& work)
     {
         return;
     }
+    const std::string phase = stability::phaseNames()[std::size_t(session_->phase())];
     session_.reset();
-    report(failure);
+    report(phase + ": " + failure);
 }
 
 void interfaceStability::report(const std::string& failure)
@@ -140,9 +124,11 @@ void interfaceStability::report(const std::string& failure)
     ++nFailures_;
     disabled_ =
         controls_.onError == stability::OnError::stop || nFailures_ >= maxFailures;
-    Warning << type() << ' ' << name() << ": " << failure.c_str() << nl
-            << (disabled_ ? "    The analysis stops here; the solver goes on."
-                          : "    The analysis starts afresh at the next step.")
+    Warning << type() << ' ' << name() << ": in step " << time_.timeIndex() << ", time "
+            << time_.timeName() << " s: " << failure.c_str() << nl
+            << (!disabled_    ? "    The analysis starts afresh at the next step."
+                : postProcess ? "    The analysis stops here."
+                              : "    The analysis stops here; the solver goes on.")
             << endl;
 }
 
@@ -157,17 +143,13 @@ void interfaceStability::advance()
     {
         begin();
     }
-    guarded(
-        [&]
-        {
-            session_->advance();
-            // The start is classified whatever time it is.
-            if (starts)
-            {
-                session_->classify();
-            }
-        }
-    );
+    guarded([&] { session_->advance(); });
+    if (starts)
+    {
+        // The start is classified and written whatever time it is.
+        classify();
+        guarded([&] { session_->writeFiles(); });
+    }
 }
 
 void interfaceStability::begin()
@@ -176,8 +158,9 @@ void interfaceStability::begin()
     const std::string failure = stability::failureOf(
         [&]
         {
-            session_ =
-                std::make_unique<stability::AnalysisSession>(mesh_, controls_, name());
+            session_ = std::make_unique<stability::AnalysisSession>(
+                mesh_, controls_, baseFileDir() / name(), source()
+            );
             session_->report(log);
         }
     );
@@ -187,30 +170,90 @@ void interfaceStability::begin()
     }
 }
 
+void interfaceStability::classify()
+{
+    guarded(
+        [&]
+        {
+            session_->classify();
+            publish(session_->statistics());
+            nFailures_ = 0;
+        }
+    );
+}
+
+// Where other function objects find them, runTimeControl above all.
+void interfaceStability::publish(const stability::Statistics& statistics)
+{
+    const std::vector<std::string> names = stability::Statistics::columns();
+    const std::vector<scalar> values = statistics.values();
+    for (std::size_t i = 1; i < names.size(); ++i)
+    {
+        setResult(word(names[i]), values[i]);
+    }
+    const scalar detached =
+        statistics.detachedNearWall + statistics.detachedElsewhere; // [m2]
+    setResult(word("detachedArea"), detached);
+}
+
 bool interfaceStability::execute()
 {
+    const stability::Busy busy(cost_.seconds());
+    bool due = schedule_->due();
     advance();
+    if (controls_.classify.displacement > 0)
+    {
+        guarded([&]
+                { due |= session_->displacement() >= controls_.classify.displacement; }
+        );
+    }
+    if (due && !postProcess)
+    {
+        classify();
+    }
     return true;
 }
 
 bool interfaceStability::write()
 {
-    if (everyWrite_ || time_.writeTime() || postProcess)
+    const stability::Busy busy(cost_.seconds());
+    const bool asWritten = schedule_->asWritten() && (everyWrite_ || time_.writeTime());
+    if (asWritten || postProcess)
     {
-        guarded(
-            [&]
-            {
-                session_->classify();
-                nFailures_ = 0;
-            }
-        );
+        classify();
     }
+    guarded([&] { session_->writeFiles(); });
     return true;
 }
 
 bool interfaceStability::end()
 {
+    finish();
+    return true;
+}
+
+void interfaceStability::finish()
+{
+    if (finished_)
+    {
+        return;
+    }
+    finished_ = true;
+    if (postProcess && session_ && session_->nClassified() < 2)
+    {
+        Warning << type() << ' ' << name() << ": one time was selected; the analysis "
+                << "compares consecutive times and needs at least two." << endl;
+    }
     guarded([&] { session_->complete(); });
+    if (log)
+    {
+        Info << type() << ' ' << name() << ": " << cost_.text().c_str() << nl << endl;
+    }
+}
+
+bool interfaceStability::adjustTimeStep()
+{
+    schedule_->adjustTimeStep(const_cast<Time&>(time_));
     return true;
 }
 

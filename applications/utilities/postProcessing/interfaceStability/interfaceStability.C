@@ -48,6 +48,7 @@ Usage
 #include "foam/AnalysisSession.H"
 #include "foam/Failures.H"
 #include "foam/MethodComparison.H"
+#include "functionObject.H"
 #include "fvMesh.H"
 #include "timeSelector.H"
 
@@ -59,6 +60,13 @@ namespace
 {
 
 const word folderName("interfaceStability");
+
+// Of all start times, as writeFile::baseFileDir() of the function object.
+fileName resultFolder(const fvMesh& mesh, const word& name)
+{
+    const fileName all(mesh.time().globalPath() / functionObject::outputPrefix);
+    return (mesh.name() == polyMesh::defaultRegion ? all : all / mesh.name()) / name;
+}
 
 // One method over all times. Returns where what compares it with others belongs.
 fileName analyse(
@@ -78,7 +86,10 @@ fileName analyse(
     stability::exitOnFailure(
         [&]
         {
-            session.emplace(mesh, method.controls, name);
+            session.emplace(
+                mesh, method.controls, resultFolder(mesh, name),
+                stability::FieldSource::disk
+            );
             session->expect(times);
             results = session->resultPath();
         }
@@ -95,6 +106,7 @@ fileName analyse(
             {
                 session->advance();
                 session->classify();
+                session->writeFiles();
             }
         );
         score.add(session->statistics());

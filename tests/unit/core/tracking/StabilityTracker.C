@@ -486,3 +486,49 @@ TEST(StabilityTracker, theDriftOfAnObliquePlane)
         EXPECT_GT(nInside, 100);
     }
 }
+
+TEST(StabilityTracker, theDisplacementSoFarIsThatOfTheStatistics)
+{
+    const auto complex = openCube(20);
+    const SerialExchange exchange;
+    StabilityTracker tracker(options(), exchange);
+    const vector U(0.3, 0.1, -0.2); // [m/s]
+    tracker.start(snapshot(complex, shapes::sphere(centre, radius), U, 0));
+    tracker.classify();
+    EXPECT_EQ(tracker.displacement(), 0);
+    for (const scalar time : {0.05, 0.1})
+    {
+        const point moved(centre + time * U);
+        tracker.advance(snapshot(complex, shapes::sphere(moved, radius), U, time));
+        EXPECT_NEAR(tracker.displacement(), time * mag(U) / 0.05, 1e-6); // cells
+    }
+    const scalar before = tracker.displacement();
+    EXPECT_EQ(tracker.classify().statistics.displacement, before);
+    EXPECT_EQ(tracker.displacement(), 0);
+}
+
+TEST(StabilityTracker, tellsThePhasesInTheirOrderAndStopsInThem)
+{
+    const auto complex = openCube(12);
+    const SerialExchange exchange;
+    std::vector<Phase> phases;
+    TrackerOptions observed(options());
+    observed.entering = [&](Phase phase)
+    {
+        phases.push_back(phase);
+        if (phases.size() == 9)
+        {
+            throw NumericalFailure("as asked");
+        }
+    };
+    StabilityTracker tracker(observed, exchange);
+    tracker.start(snapshot(complex, shapes::sphere(centre, radius), Zero, 0));
+    tracker.classify();
+    tracker.advance(snapshot(complex, shapes::sphere(centre, radius), Zero, 1));
+    EXPECT_THROW(tracker.classify(), NumericalFailure);
+    const std::vector<Phase> expected{
+        Phase::reconstruction, Phase::parametrization, Phase::matching,
+        Phase::transfer,       Phase::statistics,      Phase::advection,
+        Phase::particles,      Phase::reconstruction,  Phase::matching};
+    EXPECT_EQ(phases, expected);
+}
