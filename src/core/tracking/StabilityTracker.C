@@ -60,8 +60,6 @@ StabilityTracker::StabilityTracker(
 {
     makeReconstructions();
     Flattening::New(options.parametrization.flattening); // throws for unknown names
-    options_.matching.nThreads = options.nThreads;
-    options_.transfer.nThreads = options.nThreads;
     options_.integration.nThreads = options.nThreads;
 }
 
@@ -69,20 +67,35 @@ StabilityTracker::~StabilityTracker() = default;
 
 void StabilityTracker::makeReconstructions()
 {
-    options_.reconstruction.nThreads = options_.nThreads;
-    reconstructions_.push_back(Reconstruction::New(options_.reconstruction));
-    scalar before = -VGREAT;
-    for (ReconstructionFrom& later : options_.later)
+    changes_ = {
+        {-VGREAT, options_.reconstruction, options_.matching, options_.transfer}};
+    for (const ReconstructionFrom& later : options_.later)
     {
-        if (!(later.from > before))
+        if (!(later.from > changes_.back().from))
         {
             throw BadInput("The times from which on other reconstructions apply must "
                            "ascend.");
         }
-        before = later.from;
-        later.reconstruction.nThreads = options_.nThreads;
-        reconstructions_.push_back(Reconstruction::New(later.reconstruction));
+        changes_.push_back(later);
     }
+    for (ReconstructionFrom& change : changes_)
+    {
+        change.reconstruction.nThreads = options_.nThreads;
+        change.matching.nThreads = options_.nThreads;
+        change.transfer.nThreads = options_.nThreads;
+        reconstructions_.push_back(Reconstruction::New(change.reconstruction));
+    }
+}
+
+// Of the changes the last that has begun.
+std::size_t StabilityTracker::present() const
+{
+    std::size_t i = changes_.size() - 1;
+    while (i > 0 && !hasBegun(changes_[i].from, latest_->time))
+    {
+        --i;
+    }
+    return i;
 }
 
 scalar StabilityTracker::time() const
@@ -216,16 +229,9 @@ void StabilityTracker::startSurface(const InterfaceMesh& mesh)
 ReconstructionResult StabilityTracker::extract()
 {
     Stopwatch watch(timings_.reconstruction);
-    const ReconstructionOptions* options = &options_.reconstruction;
-    std::size_t present = 0;
-    while (present < options_.later.size()
-           && hasBegun(options_.later[present].from, latest_->time))
-    {
-        options = &options_.later[present].reconstruction;
-        ++present;
-    }
-    ReconstructionResult result(reconstructions_[present]->extract(*latest_));
-    result_.statistics.noiseFloor = noiseFloor(result, *latest_, *options);
+    ReconstructionResult result(reconstructions_[present()]->extract(*latest_));
+    result_.statistics.noiseFloor =
+        noiseFloor(result, *latest_, changes_[present()].reconstruction);
     return result;
 }
 
@@ -234,33 +240,32 @@ void StabilityTracker::rateClasses()
 {
     for (ClassifiedSurface* surface : {&result_.interface, &result_.timeSurface})
     {
-        surface->confidence = confidences(
-            *surface, options_.matching.epsilon, result_.statistics.noiseFloor
-        );
+        surface->confidence =
+            confidences(*surface, result_.epsilon, result_.statistics.noiseFloor);
     }
 }
 
 // Steps 4 and 5 of the method: both surfaces against each other, p to the new one.
 void StabilityTracker::compare(const InterfaceMesh& extracted)
 {
-    const scalar radius = options_.matching.searchRadius
+    const ReconstructionFrom& now = changes_[present()];
+    const scalar radius = now.matching.searchRadius
                           * max(largestCell(extracted), largestCell(timeSurface_));
     const InterfaceMesh timeSurface(exchange_.share(timeSurface_, extracted, radius));
-    const MatchTarget target(timeSurface, options_.matching);
+    const MatchTarget target(timeSurface, now.matching);
     InterfaceMesh mesh(extracted);
     List<Match> onInterface;
     List<Match> onTimeSurface;
     {
         Stopwatch watch(timings_.matching);
         const InterfaceMesh interface(exchange_.share(mesh, timeSurface_, radius));
-        const MatchTarget interfaceTarget(interface, options_.matching);
-        onTimeSurface = matchPoints(timeSurface_, interfaceTarget, options_.matching);
-        onInterface = matchPoints(mesh, target, options_.matching);
+        const MatchTarget interfaceTarget(interface, now.matching);
+        onTimeSurface = matchPoints(timeSurface_, interfaceTarget, now.matching);
+        onInterface = matchPoints(mesh, target, now.matching);
     }
     {
         Stopwatch watch(timings_.transfer);
-        result_.transfer =
-            transfer(mesh, onInterface, target, options_.transfer, chart_);
+        result_.transfer = transfer(mesh, onInterface, target, now.transfer, chart_);
     }
     const CellComplex& complex = *latest_->complex;
     settleInCells(mesh, complex, extracted.points.size()); // what seams have added
@@ -309,9 +314,7 @@ void StabilityTracker::takeStock(const ReconstructionResult& extracted)
     statistics.nParticles = particles_.size();
     statistics.nMerged = result_.transfer.nMerged;
     statistics.nSplit = result_.transfer.nSplit;
-    survey(
-        statistics, result_.interface, result_.timeSurface, options_.matching.epsilon
-    );
+    survey(statistics, result_.interface, result_.timeSurface, result_.epsilon);
     surveyDisplacement(statistics, timeSurface_, seeds_);
 }
 
@@ -346,6 +349,7 @@ const Classification& StabilityTracker::classify()
 {
     result_ = Classification();
     result_.index = nClassified_;
+    result_.epsilon = changes_[present()].matching.epsilon;
     result_.timeSurfaceCounts = std::exchange(surfaceCounts_, {});
     result_.particleCounts = std::exchange(particleCounts_, {});
 

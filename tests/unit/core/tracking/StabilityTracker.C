@@ -245,6 +245,41 @@ TEST(StabilityTracker, noiseRatesTheClasses)
     EXPECT_GT(floors[1], 1e-4);
 }
 
+// A sphere at rest that grows by 0.2 cells at each time, within the band of 0.5 cells
+// and beyond that of 0.05 that comes later, with seams that are no longer cut.
+TEST(StabilityTracker, laterOptionsComeAtTheirTime)
+{
+    const label n = 20;
+    const auto complex = openCube(n);
+    TrackerOptions changing = options();
+    changing.reconstruction.sharpening = Sharpening::automatic;
+    ReconstructionFrom later{2, changing.reconstruction, {}, {}};
+    later.matching.epsilon.value = 0.05;
+    later.transfer.seamTreatment = false;
+    changing.later = {later};
+    const SerialExchange exchange;
+    StabilityTracker tracker(changing, exchange);
+    for (const label step : {0, 1, 2})
+    {
+        const shapes::Shape ball = shapes::sphere(centre, radius + step * 0.2 / n);
+        const Snapshot next = snapshot(complex, ball, Zero, step);
+        step ? tracker.advance(next) : tracker.start(next);
+        const Classification& result = tracker.classify();
+        const bool wide = step < 2;
+        EXPECT_EQ(result.epsilon.value, wide ? 0.5 : 0.05);
+        EXPECT_NEAR(result.statistics.epsilonCells, wide ? 0.5 : 0.05, 1e-12);
+        EXPECT_NEAR(result.statistics.stableFraction(), wide ? 1 : 0, 1e-12);
+        EXPECT_EQ(result.transfer.nSplit > 0, wide);
+        const scalar off = mag(result.interface.distance[0] * n - (wide ? 0.5 : 0.05));
+        EXPECT_NEAR(
+            result.interface.confidence[0],
+            min(off / result.statistics.noiseFloor, 1000.0), 1e-6
+        );
+    }
+    changing.later = {later, later};
+    EXPECT_THROW(StabilityTracker(changing, exchange), BadInput);
+}
+
 // Judged by the tangential part of origin, which has an exact truth.
 TEST(StabilityTracker, originsLagByTheDisplacement)
 {
