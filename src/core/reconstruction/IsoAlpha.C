@@ -2,7 +2,6 @@
 // Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/reconstruction/IsoAlpha.H"
-#include "core/reconstruction/InterfaceMotion.H"
 #include "core/reconstruction/MarchingTets.H"
 #include "core/reconstruction/VolumeFractions.H"
 
@@ -244,11 +243,6 @@ private:
     List<bool> active_;
 };
 
-} // namespace
-
-namespace
-{
-
 // Points that will be moved anyhow keep off the ends of edges, against slivers; not so
 // in tetrahedra, where triangles would fold.
 scalar marginOf(const CellComplex& complex, const ReconstructionOptions& options)
@@ -281,7 +275,6 @@ ReconstructionResult IsoAlpha::extract(const FlowSnapshot& snapshot) const
             result.mesh, complex, fractions, options_.sharpening, options_.nThreads
         );
         result.volume += result.sharpening->volume;
-        settleInCells(result.mesh, complex);
     }
     return result;
 }

@@ -5,7 +5,6 @@
 #include "core/Errors.H"
 #include "core/reconstruction/BonnellDual.H"
 #include "core/reconstruction/GivenInterface.H"
-#include "core/reconstruction/InterfaceMotion.H"
 #include "core/reconstruction/InterfaceSmoothing.H"
 #include "core/reconstruction/IsoAlpha.H"
 #include "core/reconstruction/MarchingTets.H"
@@ -100,7 +99,6 @@ ReconstructionResult Reconstruction::finish(
     {
         result.volume += smoothInterface(result.mesh, complex, options.smooth);
     }
-    settleInCells(result.mesh, complex);
     return result;
 }
 

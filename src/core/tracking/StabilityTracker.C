@@ -6,6 +6,7 @@
 #include "core/Errors.H"
 #include "core/analysis/ThinSheets.H"
 #include "core/parametrization/Flattening.H"
+#include "core/reconstruction/CellPlacement.H"
 #include "core/reconstruction/InterfaceMotion.H"
 #include "core/reconstruction/NoiseFloor.H"
 
@@ -202,7 +203,7 @@ void StabilityTracker::findCells(InterfaceMesh& surface) const
     forAll(surface.points, pointi)
     {
         label& celli = surface.cells[pointi];
-        if (!complex.holds(celli, surface.points[pointi]))
+        if (!liesWithin(complex, celli, surface.points[pointi]))
         {
             celli = complex.findCell(surface.points[pointi]);
             surface.cellSizes[pointi] = complex.cellSizes()[celli];
