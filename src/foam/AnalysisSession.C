@@ -389,7 +389,9 @@ void AnalysisSession::announce() const
             const ReconstructionOptions& other = later.reconstruction;
             Info << "    from " << later.from << " s on " << other.method.c_str()
                  << " reconstruction, sharpening "
-                 << sharpeningNames()[label(other.sharpening)].c_str() << nl;
+                 << sharpeningNames()[label(other.sharpening)].c_str() << ", epsilon "
+                 << later.matching.epsilon.value
+                 << (later.matching.epsilon.relative ? " cells" : " m") << nl;
         }
         if (controls_.writeToFile)
         {

@@ -184,6 +184,33 @@ std::string readFiles(const dictionary& dict, const std::string& method)
     return pattern;
 }
 
+// How surfaces are compared, and p handed on, with this method of reconstruction.
+void readComparison(
+    const dictionary& dict, const std::string& method, MatchingOptions& matching,
+    TransferOptions& transfer
+)
+{
+    matching.epsilon = readEpsilon(dict, method);
+    matching.normalGate = readSwitch(dict, "normalGate", true);
+    transfer.merge = readEnum(dict, "merge", Merge::nearest, mergeNames);
+    // Polygons that do not meet have no edges that a seam could cross.
+    transfer.seamTreatment = readSwitch(dict, "seamTreatment", method != "plic");
+}
+
+// The entries of `outer` with those of `inner` in their place; of the two for epsilon
+// only one may be given, so one takes the place of either.
+dictionary overlaid(const dictionary& outer, const dictionary& inner)
+{
+    dictionary merged(outer);
+    if (inner.found("epsilon") || inner.found("epsilonAbsolute"))
+    {
+        merged.remove("epsilon");
+        merged.remove("epsilonAbsolute");
+    }
+    merged.merge(inner);
+    return merged;
+}
+
 // Other reconstructions from later times on, each with all that belongs to it.
 void readLater(const dictionary& dict, Shell shell, Controls& controls)
 {
@@ -191,7 +218,9 @@ void readLater(const dictionary& dict, Shell shell, Controls& controls)
     {
         return;
     }
-    const wordList allowed{"from", "reconstruction", "sharpening", "smooth", "files"};
+    const wordList allowed{
+        "from",  "reconstruction", "sharpening",      "smooth",
+        "files", "epsilon",        "epsilonAbsolute", "seamTreatment"};
     scalar before = -VGREAT;
     for (const entry& e : PtrList<entry>(dict.lookup("reconstructions")))
     {
@@ -205,6 +234,10 @@ void readLater(const dictionary& dict, Shell shell, Controls& controls)
         }
         before = change.from;
         change.reconstruction = readReconstruction(later, shell);
+        readComparison(
+            overlaid(dict, later), change.reconstruction.method, change.matching,
+            change.transfer
+        );
         controls.files.push_back(
             {change.from, readFiles(later, change.reconstruction.method)}
         );
@@ -227,12 +260,9 @@ TrackerOptions readTrackerOptions(const dictionary& dict, Shell shell)
     options.parametrization.flattening = readWord(
         dict, "flattening", options.parametrization.flattening, Flattening::names()
     );
-    options.matching.epsilon = readEpsilon(dict, options.reconstruction.method);
-    options.matching.normalGate = readSwitch(dict, "normalGate", true);
-    options.transfer.merge = readEnum(dict, "merge", Merge::nearest, mergeNames);
-    // Polygons that do not meet have no edges that a seam could cross.
-    options.transfer.seamTreatment =
-        readSwitch(dict, "seamTreatment", options.reconstruction.method != "plic");
+    readComparison(
+        dict, options.reconstruction.method, options.matching, options.transfer
+    );
     options.wallVelocity =
         readEnum(dict, "wallVelocity", WallVelocity::slip, wallVelocityNames);
     options.integration.tolerance =
@@ -296,18 +326,13 @@ std::vector<Method> readMethods(const dictionary& dict)
             }
         }
         // What belongs together is given together.
-        dictionary merged(dict);
-        merged.remove("methods");
-        if (e.dict().found("epsilon") || e.dict().found("epsilonAbsolute"))
-        {
-            merged.remove("epsilon");
-            merged.remove("epsilonAbsolute");
-        }
+        dictionary outer(dict);
+        outer.remove("methods");
         if (e.dict().found("reconstruction"))
         {
-            merged.remove("sharpening");
+            outer.remove("sharpening");
         }
-        merged.merge(e.dict());
+        const dictionary merged(overlaid(outer, e.dict()));
         methods.push_back({name, readControls(merged, Shell::utility)});
     }
     if (methods.size() < 2)

@@ -139,12 +139,10 @@ void ProgressReport::warn(
                 << "): " << c.nSkippedParticles
                 << " found no room, and no more will be seeded. Told once." << endl;
     }
-    warnOfNoise(c, timeName, options.matching.epsilon);
+    warnOfNoise(c, timeName);
 }
 
-void ProgressReport::warnOfNoise(
-    const Classification& c, const word& timeName, const Epsilon& epsilon
-)
+void ProgressReport::warnOfNoise(const Classification& c, const word& timeName)
 {
     const Statistics& s = c.statistics;
     const scalar least = floorsPerEpsilon * s.noiseFloor; // [cells]
@@ -153,12 +151,12 @@ void ProgressReport::warnOfNoise(
         return;
     }
     warnedNoise_ = true;
-    const scalar better = roundedUp(epsilon.value * least / s.epsilonCells);
+    const scalar better = roundedUp(c.epsilon.value * least / s.epsilonCells);
     Warning << "interfaceStability: at time " << timeName << " s epsilon ("
             << s.epsilonCells << " cells) is below twice the noise floor of the "
             << "reconstruction (" << s.noiseFloor
             << " cells): part of what attaches and detaches is noise. Better is "
-            << (epsilon.relative ? "epsilon " : "epsilonAbsolute ") << better
+            << (c.epsilon.relative ? "epsilon " : "epsilonAbsolute ") << better
             << ". Told once; see the column noiseFloor of stability.dat." << endl;
 }
 

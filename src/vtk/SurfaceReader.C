@@ -137,17 +137,33 @@ void addTriangles(vtkPolyData& data, GivenSurface& surface)
     }
 }
 
-void addVertices(vtkPolyData& data, GivenSurface& surface)
+// One value per point; null where there are none of this name.
+vtkDataArray* valuesOf(vtkPolyData& data, const char* name)
 {
-    vtkDataArray* vertex = data.GetPointData()->GetArray("vertex");
-    if (vertex && vertex->GetNumberOfComponents() == 1
-        && vertex->GetNumberOfTuples() == surface.points.size())
+    vtkDataArray* values = data.GetPointData()->GetArray(name);
+    const bool onePerPoint = values && values->GetNumberOfComponents() == 1
+                             && values->GetNumberOfTuples() == data.GetNumberOfPoints();
+    return onePerPoint ? values : nullptr;
+}
+
+// What our own files tell beyond points and triangles.
+void addArrays(vtkPolyData& data, GivenSurface& surface)
+{
+    if (vtkDataArray* vertex = valuesOf(data, "vertex"))
     {
         surface.welding = Welding::byName;
         surface.vertex.setSize(surface.points.size());
         forAll(surface.vertex, i)
         {
             surface.vertex[i] = label(vertex->GetComponent(i, 0));
+        }
+    }
+    if (vtkDataArray* cellSize = valuesOf(data, "cellSize"))
+    {
+        surface.cellSizes.setSize(surface.points.size());
+        forAll(surface.cellSizes, i)
+        {
+            surface.cellSizes[i] = cellSize->GetComponent(i, 0);
         }
     }
 }
@@ -181,7 +197,7 @@ public:
         addTriangles(*data, surface);
         if (vtp)
         {
-            addVertices(*data, surface);
+            addArrays(*data, surface);
         }
         else
         {

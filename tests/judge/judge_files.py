@@ -24,6 +24,7 @@ ARRAYS = {
         "origin": (3, False),
         "vertex": (1, True),
         "stability": (1, True),
+        "cellSize": (1, False),
         "distance": (1, False),
         "driftSpeed": (1, False),
         "confidence": (1, False),
@@ -36,6 +37,7 @@ ARRAYS = {
         "parameter": (2, False),
         "vertex": (1, True),
         "stability": (1, True),
+        "cellSize": (1, False),
         "distance": (1, False),
         "driftSpeed": (1, False),
         "confidence": (1, False),
@@ -57,7 +59,7 @@ ARRAYS = {
     },
 }
 CLASSES = {"interface": {0, 1}, "timeSurface": {0, 2, 3}}
-MAY_BE_CONSTANT = {"component", "preimageCount", "state", "subGrid", "thin"}
+MAY_BE_CONSTANT = {"cellSize", "component", "preimageCount", "state", "subGrid", "thin"}
 
 
 class Findings:
@@ -148,8 +150,8 @@ def check_weld(findings, surface):
     first[ids[::-1]] = np.arange(surface.n)[::-1]
     twins = first[ids]
     same = np.array_equal(surface.points, surface.points[twins])
-    for array in ("stability", "distance", "driftSpeed", "confidence", "thin", "subGrid", "origin"):
-        if array in surface.arrays:
+    for array in ARRAYS["interface"]:
+        if array in surface.arrays and array not in ("TCoords", "parameter"):
             same = same and np.array_equal(surface[array], surface[array][twins])
     findings.require("vertex welds equal points", same, surface.path.name)
 
@@ -324,6 +326,12 @@ def check_confidence(findings, m, t, row, cells):
     """How far each point is from epsilon, in noise floors; cells of one size."""
     for surface in (m, t):
         if surface.n:
+            uneven = np.abs(surface["cellSize"] / cells - 1).max()
+            findings.require(
+                "cellSize is that of the cells",
+                uneven < 1e-9,
+                f"{surface.path.name} is off by {uneven:.3g}",
+            )
             floor = row["noiseFloor"] * cells
             off = np.abs(surface["distance"] - row["epsilon"])
             wanted = np.minimum(off / max(floor, 1e-300), 1000)

@@ -4,8 +4,8 @@
 
     sameClasses.py BEFORE AFTER [--tables RELATIVE]
 
-compares folders of results: the array `stability` of both surfaces, value by value, and
-the areas of stability.dat. With --tables the areas alone, to this accuracy.
+compares folders of results: the arrays `stability` and `cellSize` of both surfaces, value
+by value, and the areas of stability.dat. With --tables the areas alone, to this accuracy.
 
     sameClasses.py --convert stl|obj FOLDER
 
@@ -39,12 +39,14 @@ def compare_classes(before, after):
     found = set()
     for family in ("interface", "timeSurface"):
         for index in range(len(before)):
-            a, b = (run.surface(family, index)["stability"] for run in (before, after))
-            found |= set(a)
-            if len(a) != len(b):
-                print(f"{family} {index}: {len(a)} and {len(b)} points")
-            elif (a != b).any():
-                print(f"{family} {index}: {(a != b).sum()} of {len(a)} classes differ")
+            a, b = (run.surface(family, index) for run in (before, after))
+            found |= set(a["stability"])
+            if a.n != b.n:
+                print(f"{family} {index}: {a.n} and {b.n} points")
+                continue
+            for name in ("stability", "cellSize"):
+                if (a[name] != b[name]).any():
+                    print(f"{family} {index}: {(a[name] != b[name]).sum()} of {a.n} {name} differ")
     if not {0, 1, 2} <= found:
         print(f"nothing to compare: the classes are {found}")
 

@@ -161,6 +161,14 @@ std::shared_ptr<const CellComplex> box(const BoxOptions& options)
     return std::make_shared<const CellComplex>(boxInput(options));
 }
 
+BoxOptions boxOf(label n)
+{
+    BoxOptions options;
+    options.max = point(n, n, n);
+    options.n = Vector<label>(n, n, n);
+    return options;
+}
+
 std::shared_ptr<const CellComplex> unitCube(label n)
 {
     BoxOptions options;

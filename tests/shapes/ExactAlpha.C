@@ -4,6 +4,7 @@
 #include "shapes/ExactAlpha.H"
 
 #include <array>
+#include <cmath>
 
 namespace Foam::stability::shapes
 {
@@ -170,6 +171,17 @@ Shape halfSpace(const point& origin, const vector& normal)
 {
     const vector n = normal / mag(normal);
     return [=](const point& x) { return (x - origin) & n; };
+}
+
+Shape torus(const point& centre, const vector& axis, scalar major, scalar minor)
+{
+    const vector a = axis / mag(axis);
+    return [=](const point& x)
+    {
+        const vector d = x - centre;
+        const scalar along = d & a;
+        return std::hypot(mag(d - along * a) - major, along) - minor;
+    };
 }
 
 Shape block(const point& min, const point& max)

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace Foam::stability
 {
@@ -46,15 +45,8 @@ std::vector<std::string> MethodScore::columns()
 {
     std::vector<std::string> names{"times",    "meanDistance", "stableFraction",
                                    "coverage", "area",         "volumeError"};
-    for (const char* kind : {"detached", "attached"})
-    {
-        for (const scalar distance : Statistics::survivalDistances)
-        {
-            std::ostringstream name;
-            name << kind << '(' << distance << ')';
-            names.push_back(name.str());
-        }
-    }
+    const std::vector<std::string> survival(Statistics::survivalColumns());
+    names.insert(names.end(), survival.begin() + 1, survival.end()); // without the time
     return names;
 }
 

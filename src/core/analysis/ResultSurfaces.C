@@ -145,6 +145,9 @@ surface(const ClassifiedSurface& from, const SplitPoints& split, scalar time)
         scalars(
             "stability", true, vertex, [&](label i) { return label(from.stability[i]); }
         ),
+        scalars(
+            "cellSize", false, vertex, [&](label i) { return from.mesh.cellSizes[i]; }
+        ),
         scalars("distance", false, vertex, [&](label i) { return from.distance[i]; }),
         scalars(
             "driftSpeed", false, vertex, [&](label i) { return from.driftSpeed[i]; }

@@ -7,6 +7,7 @@
 #include "core/mesh/SurfaceTopology.H"
 #include "core/reconstruction/VolumeFractions.H"
 #include "boundBox.H"
+#include "mathematicalConstants.H"
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +19,6 @@ namespace Foam::stability
 namespace
 {
 
-constexpr scalar pi = 3.14159265358979323846;
-
 struct Moments
 {
     scalar volume = 0;  // [m3]
@@ -28,7 +27,7 @@ struct Moments
 
 scalar radiusOf(scalar volume)
 {
-    return std::cbrt(3 * volume / (4 * pi));
+    return std::cbrt(3 * volume / (4 * constant::mathematical::pi));
 }
 
 // A closed piece of the surface.

@@ -14,7 +14,7 @@ namespace
 // within round-off of its faces.
 scalar transgression(const CellComplex& complex, label celli, const point& x)
 {
-    scalar largest = 1e-9 * complex.cellSizes()[celli];
+    scalar largest = roundOffOfPlanes * complex.cellSizes()[celli];
     const scalar tolerance = largest;
     for (const label facei : complex.cellFaces()[celli])
     {
@@ -67,9 +67,10 @@ label holdingCell(
     return best;
 }
 
-bool liesWithin(const CellComplex& complex, label celli, const point& x)
+bool liesWithin(const CellComplex& complex, label celli, const point& x, scalar beyond)
 {
-    return transgression(complex, celli, x) <= 0;
+    const scalar allowed = (beyond - roundOffOfPlanes) * complex.cellSizes()[celli];
+    return transgression(complex, celli, x) <= allowed;
 }
 
 label boundaryFaceAt(

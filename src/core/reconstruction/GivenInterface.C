@@ -70,8 +70,8 @@ labelList namesOf(const GivenSurface& surface)
     return names;
 }
 
-// Points and triangles of the result, in the order of the names; points without a
-// triangle are dropped.
+// Points and triangles of the result, in the order of the names, and the sizes of cells
+// that are told; points without a triangle are dropped.
 void weld(const GivenSurface& surface, InterfaceMesh& mesh)
 {
     const labelList names = namesOf(surface);
@@ -86,12 +86,17 @@ void weld(const GivenSurface& surface, InterfaceMesh& mesh)
     std::sort(used.begin(), used.end());
     labelList numbers(surface.points.size(), -1);
     DynamicList<point> points;
+    DynamicList<scalar> sizes;
     for (std::size_t i = 0; i < used.size(); ++i)
     {
         const point& x = surface.points[used[i].second];
         if (i == 0 || used[i].first != used[i - 1].first)
         {
             points.append(x);
+            if (!surface.cellSizes.empty())
+            {
+                sizes.append(surface.cellSizes[used[i].second]);
+            }
         }
         else if (x != points.last())
         {
@@ -103,6 +108,7 @@ void weld(const GivenSurface& surface, InterfaceMesh& mesh)
         numbers[used[i].second] = points.size() - 1;
     }
     mesh.points.transfer(points);
+    mesh.cellSizes.transfer(sizes);
     DynamicList<triFace> triangles;
     for (const triFace& t : surface.triangles)
     {
@@ -127,9 +133,11 @@ public:
         roundOff_ = std::numeric_limits<float>::epsilon() * largest;
     }
 
+    // On entry the sizes of cells that are told, or none.
     void place(InterfaceMesh& mesh)
     {
         const label n = mesh.points.size();
+        const scalarField told(mesh.cellSizes);
         mesh.cells.setSize(n);
         mesh.cellSizes.setSize(n);
         mesh.boundaryFaces.setSize(n);
@@ -137,6 +145,10 @@ public:
         {
             const point& x = mesh.points[i];
             mesh.cells[i] = cellOf(x);
+            if (!told.empty())
+            {
+                mesh.cells[i] = cellOfSize(told[i], mesh.cells[i], x);
+            }
             mesh.cellSizes[i] = complex_.cellSizes()[mesh.cells[i]];
             mesh.boundaryFaces[i] =
                 boundaryFaceAt(complex_, mesh.cells[i], x, toleranceIn(mesh.cells[i]));
@@ -163,6 +175,31 @@ private:
             fail(surface_, "has a point outside the domain, at " + textOf(x));
         }
         return settledCell(complex_, location.cell, x);
+    }
+
+    // Of the cells around this one that touch the point the first of that size, else
+    // this one.
+    label cellOfSize(scalar size, label celli, const point& x) const
+    {
+        constexpr scalar touches = 0.3; // in cells: badly warped faces bulge by less
+        if (complex_.cellSizes()[celli] == size)
+        {
+            return celli;
+        }
+        Surroundings around(complex_, celli);
+        std::sort(around.cells.begin(), around.cells.end());
+        labelList alike(around.cells.size());
+        label n = 0;
+        for (const label other : around.cells)
+        {
+            if (complex_.cellSizes()[other] == size)
+            {
+                alike[n++] = other;
+            }
+        }
+        alike.setSize(n);
+        const label found = n > 0 ? holdingCell(complex_, alike, x) : celli;
+        return liesWithin(complex_, found, x, touches) ? found : celli;
     }
 
     const GivenSurface& surface_;

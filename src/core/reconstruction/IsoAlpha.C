@@ -2,7 +2,6 @@
 // Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/reconstruction/IsoAlpha.H"
-#include "core/reconstruction/InterfaceMotion.H"
 #include "core/reconstruction/MarchingTets.H"
 #include "core/flow/CanonicalOrder.H"
 #include "core/reconstruction/VolumeFractions.H"
@@ -283,7 +282,6 @@ ReconstructionResult IsoAlpha::extract(const FlowSnapshot& snapshot) const
             result.mesh, complex, fractions, options_.sharpening, options_.nThreads
         );
         result.volume += result.sharpening->volume;
-        settleInCells(result.mesh, complex);
     }
     return result;
 }

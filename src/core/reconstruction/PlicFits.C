@@ -96,7 +96,6 @@ private:
     // setFields, the interface is the face.
     void findJumps()
     {
-        DynamicList<label> jumpFaces;
         for (label facei = 0; facei < complex_.nInternalFaces(); ++facei)
         {
             const label owner = complex_.owner()[facei];
@@ -120,9 +119,7 @@ private:
             fit.weight = plane.area / sqr(fit.size);
             result_.fits.append(fit);
             result_.planes.append(plane);
-            jumpFaces.append(facei);
         }
-        result_.jumpFaces.transfer(jumpFaces);
     }
 
     symmTensor momentOf(label facei, const PlicPlane& plane) const

@@ -32,13 +32,20 @@ void dropRepeated(Polygon& polygon, scalar tolerance)
     }
 }
 
-point centroid(const Polygon& polygon)
+// [m2], twice the area.
+vector twiceArea(const Polygon& polygon)
 {
     vector total(Zero);
     for (std::size_t i = 2; i < polygon.size(); ++i)
     {
         total += (polygon[i - 1] - polygon[0]) ^ (polygon[i] - polygon[0]);
     }
+    return total;
+}
+
+point centroid(const Polygon& polygon)
+{
+    const vector total = twiceArea(polygon);
     const vector n = total / max(mag(total), VSMALL);
     vector moment(Zero);
     for (std::size_t i = 2; i < polygon.size(); ++i)
@@ -131,19 +138,66 @@ Polygon polygonIn(const CellComplex& complex, label celli, const PlicPlane& plan
     return polygon;
 }
 
-Polygon polygonOn(const CellComplex& complex, label facei, const PlicPlane& plane)
+// From the full cell of a face to the empty one: the face itself.
+Polygon polygonOn(const CellComplex& complex, label facei, bool ownerIsFull)
 {
     Polygon polygon;
     for (const label pointi : complex.faces()[facei])
     {
         polygon.push_back(complex.points()[pointi]);
     }
-    if ((complex.faceAreas()[facei] & plane.normal) > 0)
+    if (!ownerIsFull)
     {
         std::reverse(polygon.begin(), polygon.end());
     }
     return polygon;
 }
+
+// A face from a nearly full to a nearly empty cell is the interface where the polygons
+// of these, projected on it, hide less than half of it: planes cut slivers and wedges
+// from such cells, or are not there at all.
+class BareFaces
+{
+public:
+    BareFaces(
+        const CellComplex& complex, const scalarField& alpha, const PlicFits& plic,
+        const std::vector<Polygon>& polygons
+    )
+        : complex_(complex), alpha_(alpha), areas_(complex.nCells(), Zero)
+    {
+        for (std::size_t i = 0; i < polygons.size(); ++i)
+        {
+            areas_[plic.fits[i].cell] = 0.5 * twiceArea(polygons[i]);
+        }
+    }
+
+    bool holds(label facei) const
+    {
+        constexpr scalar full = 0.9, empty = 0.1, leastHidden = 0.5;
+        const label owner = complex_.owner()[facei];
+        const label neighbour = complex_.neighbour()[facei];
+        if (max(alpha_[owner], alpha_[neighbour]) <= full
+            || min(alpha_[owner], alpha_[neighbour]) >= empty)
+        {
+            return false;
+        }
+        const vector& S = complex_.faceAreas()[facei];
+        const vector towardsEmpty = ownerIsFull(facei) ? S : -S;
+        const scalar hidden = max(areas_[owner] & towardsEmpty, scalar(0))
+                              + max(areas_[neighbour] & towardsEmpty, scalar(0));
+        return hidden < leastHidden * magSqr(S);
+    }
+
+    bool ownerIsFull(label facei) const
+    {
+        return alpha_[complex_.owner()[facei]] > alpha_[complex_.neighbour()[facei]];
+    }
+
+private:
+    const CellComplex& complex_;
+    const scalarField& alpha_;
+    vectorField areas_; // [m2], per cell: of its polygon, into the second material
+};
 
 } // namespace
 
@@ -152,21 +206,29 @@ ReconstructionResult PlicPolygons::extract(const FlowSnapshot& snapshot) const
     const CellComplex& complex = *snapshot.complex;
     const VolumeFractions fractions(snapshot);
     const PlicFits plic = fitPlic(complex, fractions, options_.nThreads);
-    std::vector<Polygon> polygons(plic.fits.size());
+    std::vector<Polygon> polygons(plic.nCells);
 #pragma omp parallel for schedule(dynamic, 64) num_threads(options_.nThreads)
-    for (label i = 0; i < plic.fits.size(); ++i)
+    for (label i = 0; i < plic.nCells; ++i)
     {
-        polygons[i] =
-            i < plic.nCells
-                ? polygonIn(complex, plic.fits[i].cell, plic.planes[i])
-                : polygonOn(complex, plic.jumpFaces[i - plic.nCells], plic.planes[i]);
+        polygons[i] = polygonIn(complex, plic.fits[i].cell, plic.planes[i]);
     }
     ReconstructionResult result;
     PolygonSoup soup(complex);
-    forAll(plic.fits, i)
+    for (label i = 0; i < plic.nCells; ++i)
     {
         const label celli = plic.fits[i].cell;
         result.nFailed += !soup.add(celli, polygons[i]) && complex.own(celli);
+    }
+    const BareFaces bare(complex, fractions.cells, plic, polygons);
+    for (label facei = 0; facei < complex.nInternalFaces(); ++facei)
+    {
+        if (bare.holds(facei))
+        {
+            soup.add(
+                complex.owner()[facei],
+                polygonOn(complex, facei, bare.ownerIsFull(facei))
+            );
+        }
     }
     result.mesh = soup.takeMesh();
     orderByCells(result.mesh);

@@ -5,7 +5,6 @@
 #include "core/Errors.H"
 #include "core/reconstruction/BonnellDual.H"
 #include "core/reconstruction/GivenInterface.H"
-#include "core/reconstruction/InterfaceMotion.H"
 #include "core/reconstruction/InterfaceOrder.H"
 #include "core/reconstruction/InterfaceSmoothing.H"
 #include "core/reconstruction/IsoAlpha.H"
@@ -102,7 +101,6 @@ ReconstructionResult Reconstruction::finish(
     {
         result.volume += smoothInterface(result.mesh, complex, options.smooth);
     }
-    settleInCells(result.mesh, complex);
     return result;
 }
 

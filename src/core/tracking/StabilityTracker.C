@@ -6,6 +6,7 @@
 #include "core/Errors.H"
 #include "core/analysis/ThinSheets.H"
 #include "core/parametrization/Flattening.H"
+#include "core/reconstruction/CellPlacement.H"
 #include "core/reconstruction/InterfaceMotion.H"
 #include "core/reconstruction/NoiseFloor.H"
 
@@ -56,8 +57,6 @@ StabilityTracker::StabilityTracker(
 {
     makeReconstructions();
     Flattening::New(options.parametrization.flattening); // throws for unknown names
-    options_.matching.nThreads = options.nThreads;
-    options_.transfer.nThreads = options.nThreads;
     options_.integration.nThreads = options.nThreads;
 }
 
@@ -65,20 +64,35 @@ StabilityTracker::~StabilityTracker() = default;
 
 void StabilityTracker::makeReconstructions()
 {
-    options_.reconstruction.nThreads = options_.nThreads;
-    reconstructions_.push_back(Reconstruction::New(options_.reconstruction));
-    scalar before = -VGREAT;
-    for (ReconstructionFrom& later : options_.later)
+    changes_ = {
+        {-VGREAT, options_.reconstruction, options_.matching, options_.transfer}};
+    for (const ReconstructionFrom& later : options_.later)
     {
-        if (!(later.from > before))
+        if (!(later.from > changes_.back().from))
         {
             throw BadInput("The times from which on other reconstructions apply must "
                            "ascend.");
         }
-        before = later.from;
-        later.reconstruction.nThreads = options_.nThreads;
-        reconstructions_.push_back(Reconstruction::New(later.reconstruction));
+        changes_.push_back(later);
     }
+    for (ReconstructionFrom& change : changes_)
+    {
+        change.reconstruction.nThreads = options_.nThreads;
+        change.matching.nThreads = options_.nThreads;
+        change.transfer.nThreads = options_.nThreads;
+        reconstructions_.push_back(Reconstruction::New(change.reconstruction));
+    }
+}
+
+// Of the changes the last that has begun.
+std::size_t StabilityTracker::present() const
+{
+    std::size_t i = changes_.size() - 1;
+    while (i > 0 && !hasBegun(changes_[i].from, latest_->time))
+    {
+        --i;
+    }
+    return i;
 }
 
 void StabilityTracker::enter(Phase phase) const
@@ -249,7 +263,7 @@ void StabilityTracker::findCells(InterfaceMesh& surface) const
     forAll(surface.points, pointi)
     {
         label& celli = surface.cells[pointi];
-        if (!complex.holds(celli, surface.points[pointi]))
+        if (!liesWithin(complex, celli, surface.points[pointi]))
         {
             celli = complex.findCell(surface.points[pointi]);
             surface.cellSizes[pointi] = complex.cellSizes()[celli];
@@ -285,17 +299,9 @@ ReconstructionResult StabilityTracker::extract()
 {
     Stopwatch watch(timings_.reconstruction);
     together([&] { enter(Phase::reconstruction); });
-    const ReconstructionOptions* options = &options_.reconstruction;
-    std::size_t present = 0;
-    while (present < options_.later.size()
-           && hasBegun(options_.later[present].from, latest_->time))
-    {
-        options = &options_.later[present].reconstruction;
-        ++present;
-    }
-    ReconstructionResult result(extractWhole(*reconstructions_[present]));
+    ReconstructionResult result(extractWhole(*reconstructions_[present()]));
     result_.statistics.noiseFloor = noiseFloor(
-        result, *options,
+        result, changes_[present()].reconstruction,
         [&](const ReconstructionOptions& other)
         { return extractWhole(*Reconstruction::New(other)).mesh; }
     );
@@ -351,31 +357,30 @@ void StabilityTracker::rateClasses()
 {
     for (ClassifiedSurface* surface : {&result_.interface, &result_.timeSurface})
     {
-        surface->confidence = confidences(
-            *surface, options_.matching.epsilon, result_.statistics.noiseFloor
-        );
+        surface->confidence =
+            confidences(*surface, result_.epsilon, result_.statistics.noiseFloor);
     }
 }
 
 // Steps 4 and 5 of the method: both surfaces against each other, p to the new one.
 void StabilityTracker::compare(const InterfaceMesh& extracted)
 {
-    const MatchTarget target(timeSurface_, options_.matching);
+    const ReconstructionFrom& now = changes_[present()];
+    const MatchTarget target(timeSurface_, now.matching);
     InterfaceMesh mesh(extracted);
     List<Match> onInterface;
     List<Match> onTimeSurface;
     {
         enter(Phase::matching);
         Stopwatch watch(timings_.matching);
-        const MatchTarget interfaceTarget(mesh, options_.matching);
-        onTimeSurface = matchPoints(timeSurface_, interfaceTarget, options_.matching);
-        onInterface = matchPoints(mesh, target, options_.matching);
+        const MatchTarget interfaceTarget(mesh, now.matching);
+        onTimeSurface = matchPoints(timeSurface_, interfaceTarget, now.matching);
+        onInterface = matchPoints(mesh, target, now.matching);
     }
     {
         enter(Phase::transfer);
         Stopwatch watch(timings_.transfer);
-        result_.transfer =
-            transfer(mesh, onInterface, target, options_.transfer, chart_);
+        result_.transfer = transfer(mesh, onInterface, target, now.transfer, chart_);
     }
     const CellComplex& complex = *site_->complex;
     settleInCells(mesh, complex, extracted.points.size()); // what seams have added
@@ -426,9 +431,7 @@ void StabilityTracker::takeStock(const ReconstructionResult& extracted)
     statistics.nParticles = particles_.size();
     statistics.nMerged = result_.transfer.nMerged;
     statistics.nSplit = result_.transfer.nSplit;
-    survey(
-        statistics, result_.interface, result_.timeSurface, options_.matching.epsilon
-    );
+    survey(statistics, result_.interface, result_.timeSurface, result_.epsilon);
     surveyDisplacement(statistics, timeSurface_, seeds_);
 }
 
@@ -479,6 +482,7 @@ const Classification& StabilityTracker::classify()
 {
     result_ = Classification();
     result_.index = nClassified_;
+    result_.epsilon = changes_[present()].matching.epsilon;
     result_.timeSurfaceCounts = sumOf(std::exchange(surfaceCounts_, {}));
     result_.particleCounts = sumOf(std::exchange(particleCounts_, {}));
 

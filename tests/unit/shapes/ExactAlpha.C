@@ -38,6 +38,16 @@ TEST(ExactAlpha, sphereHasItsVolumeOnEveryMesh)
     }
 }
 
+TEST(ExactAlpha, torusHasItsVolume)
+{
+    const CellComplex complex(shapes::boxInput(shapes::boxOf(12)));
+    const shapes::Shape ring =
+        shapes::torus(point(6.13, 5.87, 6.08), vector(1, 2, 3), 3.3, 1.9);
+    const scalar exact = 2 * sqr(pi) * 3.3 * sqr(1.9);
+    const scalarField alpha = shapes::exactAlpha(complex, ring);
+    EXPECT_NEAR(volumeInside(complex, alpha) / exact, 1, 1e-5);
+}
+
 TEST(ExactAlpha, cellsAreExactToOneInAMillion)
 {
     const auto complex = shapes::unitCube(20);

@@ -56,6 +56,7 @@ Classification seamed()
     mesh.origins = mesh.points * 2.0;
     mesh.cells = labelList(6, 0);
     mesh.cellSizes = scalarField(6, 0.3);
+    mesh.cellSizes[4] = 0.7;
     surface.stability = List<Stability>(6, Stability::stable);
     surface.stability[5] = Stability::attached;
     surface.distance = scalarField(6, 0.01);
@@ -143,6 +144,7 @@ TEST(ResultSurfaces, arraysHaveTheirClassesAndSizes)
         EXPECT_EQ(arrayOf(surface, "distance").values[i], v == 4 ? 0.02 : 0.01);
         EXPECT_EQ(arrayOf(surface, "driftSpeed").values[i], v == 2 ? 0.25 : -0.5);
         EXPECT_EQ(arrayOf(surface, "confidence").values[i], v == 1 ? 8 : 3);
+        EXPECT_EQ(arrayOf(surface, "cellSize").values[i], v == 4 ? 0.7 : 0.3);
         EXPECT_EQ(arrayOf(surface, "thin").values[i], v == 3);
         EXPECT_EQ(arrayOf(surface, "subGrid").values[i], v == 0);
         EXPECT_EQ(arrayOf(surface, "origin").values[3 * i + 2], 0.2 * v);
@@ -164,6 +166,7 @@ TEST(ResultSurfaces, theTimeSurfaceKnowsWallsAndKeepsItsSeams)
             arrayOf(surface, "driftSpeed").values[i], vertex[i] == 2 ? 0.25 : -0.5
         );
         EXPECT_EQ(arrayOf(surface, "confidence").values[i], vertex[i] == 1 ? 8 : 3);
+        EXPECT_EQ(arrayOf(surface, "cellSize").values[i], vertex[i] == 4 ? 0.7 : 0.3);
         EXPECT_EQ(arrayOf(surface, "thin").values[i], vertex[i] == 3);
         EXPECT_EQ(arrayOf(surface, "subGrid").values[i], vertex[i] == 0);
         EXPECT_EQ(arrayOf(surface, "stability").values[i], vertex[i] == 5 ? 2 : 0);
@@ -174,7 +177,7 @@ TEST(ResultSurfaces, emptySurfacesHaveAllArrays)
 {
     const ResultSurface surface(interfaceSurface(Classification()));
     EXPECT_EQ(surface.points.size(), 0);
-    EXPECT_EQ(surface.arrays.size(), 12u);
+    EXPECT_EQ(surface.arrays.size(), 13u);
     const ResultSurface cloud(particleCloud(InstabilityParticles(5), 0.3));
     EXPECT_EQ(cloud.arrays.size(), 10u);
 }

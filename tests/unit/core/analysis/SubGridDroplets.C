@@ -2,8 +2,8 @@
 // Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/analysis/SubGridDroplets.H"
-#include "core/mesh/SurfaceTopology.H"
 #include "core/reconstruction/Reconstruction.H"
+#include "core/tracking/ClassifiedSurface.H"
 #include "shapes/BoxMesh.H"
 #include "shapes/ExactAlpha.H"
 
@@ -36,15 +36,7 @@ Found find(const shapes::Shape& shape, Sharpening sharpening = Sharpening::none)
     ReconstructionOptions options;
     options.sharpening = sharpening;
     const InterfaceMesh mesh = Reconstruction::New(options)->extract(snapshot).mesh;
-    const SurfaceTopology topology(mesh.points.size(), mesh.triangles);
-    labelList components(mesh.points.size(), 0);
-    forAll(mesh.triangles, trianglei)
-    {
-        for (const label pointi : mesh.triangles[trianglei])
-        {
-            components[pointi] = topology.components()[trianglei];
-        }
-    }
+    const labelList components(pointComponents(mesh));
     Found found;
     found.droplets = subGridDroplets(mesh, components, snapshot);
     const List<bool> flags(subGridPoints(components, found.droplets));

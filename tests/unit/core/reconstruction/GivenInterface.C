@@ -3,6 +3,7 @@
 
 #include "core/reconstruction/GivenInterface.H"
 #include "core/Errors.H"
+#include "core/reconstruction/CellPlacement.H"
 #include "shapes/ExactAlpha.H"
 #include "shapes/PolyMeshes.H"
 
@@ -26,10 +27,14 @@ shapes::BoxOptions meshBox()
     return options;
 }
 
-ReconstructionResult extract(const FlowSnapshot& snapshot, const std::string& method)
+ReconstructionResult extract(
+    const FlowSnapshot& snapshot, const std::string& method,
+    Sharpening sharpening = Sharpening::none
+)
 {
     ReconstructionOptions options;
     options.method = method;
+    options.sharpening = sharpening;
     return Reconstruction::New(options)->extract(snapshot);
 }
 
@@ -39,7 +44,8 @@ ReconstructionResult put(FlowSnapshot snapshot, const GivenSurface& surface)
     return extract(snapshot, "fromFiles");
 }
 
-// Every triangle with points of its own, the last triangle's first.
+// Every triangle with points of its own, the last triangle's first, each with its
+// cell's size.
 GivenSurface tornApart(const InterfaceMesh& mesh, Welding welding)
 {
     GivenSurface surface;
@@ -48,6 +54,7 @@ GivenSurface tornApart(const InterfaceMesh& mesh, Welding welding)
     const label n = 3 * mesh.triangles.size();
     surface.points.setSize(n);
     surface.vertex.setSize(n);
+    surface.cellSizes.setSize(n);
     forAll(mesh.triangles, trianglei)
     {
         triFace t;
@@ -56,6 +63,7 @@ GivenSurface tornApart(const InterfaceMesh& mesh, Welding welding)
             t[k] = n - 1 - (3 * trianglei + k);
             surface.vertex[t[k]] = 7 + 2 * mesh.triangles[trianglei][k];
             surface.points[t[k]] = mesh.points[mesh.triangles[trianglei][k]];
+            surface.cellSizes[t[k]] = mesh.cellSizes[mesh.triangles[trianglei][k]];
         }
         surface.triangles.append(t);
     }
@@ -99,9 +107,40 @@ FlowSnapshot ball()
     return boxSnapshot(shapes::sphere(middle, 0.35));
 }
 
+// Welded by name, an extracted surface comes back as it was, in cells of the same sizes
+// that it touches.
+void expectRepeated(
+    const FlowSnapshot& snapshot, const std::string& method, Sharpening sharpening
+)
+{
+    const InterfaceMesh before = extract(snapshot, method, sharpening).mesh;
+    const InterfaceMesh after = put(snapshot, tornApart(before, Welding::byName)).mesh;
+    EXPECT_GT(before.points.size(), 100);
+    EXPECT_EQ(after.points, before.points);
+    EXPECT_EQ(after.triangles, before.triangles);
+    EXPECT_EQ(after.cellSizes, before.cellSizes);
+    EXPECT_EQ(after.materials, before.materials);
+    EXPECT_EQ(after.corners.size(), before.corners.size());
+    EXPECT_EQ(after.origins.size(), before.origins.size());
+    forAll(after.cells, i)
+    {
+        const label celli = after.cells[i];
+        EXPECT_EQ(snapshot.complex->cellSizes()[celli], after.cellSizes[i]);
+        EXPECT_TRUE(liesWithin(*snapshot.complex, celli, after.points[i], 0.3));
+        EXPECT_EQ(after.boundaryFaces[i] >= 0, before.boundaryFaces[i] >= 0);
+    }
+}
+
+void expectRepeatedByAll(const FlowSnapshot& snapshot)
+{
+    expectRepeated(snapshot, "isoAlpha", Sharpening::none);
+    expectRepeated(snapshot, "isoAlpha", Sharpening::automatic);
+    expectRepeated(snapshot, "bonnell", Sharpening::none);
+    expectRepeated(snapshot, "plic", Sharpening::none);
+}
+
 } // namespace
 
-// Welded by name, an extracted surface comes back as it was, in its cells.
 TEST(GivenInterface, repeatsWhatWasExtracted)
 {
     const auto refine = [](const point& x) { return x.x() > 0.6; };
@@ -113,22 +152,55 @@ TEST(GivenInterface, repeatsWhatWasExtracted)
              {shapes::sphere(point(1.1, 0.93, 1.02), 0.55),
               shapes::sphere(middle, 0.35)})
         {
-            const auto complex = shapes::complexOf(input);
-            const FlowSnapshot snapshot = shapes::snapshotOf(complex, shape);
-            const InterfaceMesh before = extract(snapshot, "isoAlpha").mesh;
-            const InterfaceMesh after =
-                put(snapshot, tornApart(before, Welding::byName)).mesh;
-            EXPECT_GT(before.points.size(), 300);
-            EXPECT_EQ(after.points, before.points);
-            EXPECT_EQ(after.triangles, before.triangles);
-            EXPECT_EQ(after.cells, before.cells);
-            EXPECT_EQ(after.cellSizes, before.cellSizes);
-            EXPECT_EQ(after.boundaryFaces, before.boundaryFaces);
-            EXPECT_EQ(after.materials, before.materials);
-            EXPECT_EQ(after.corners.size(), before.corners.size());
-            EXPECT_EQ(after.origins.size(), before.origins.size());
+            expectRepeatedByAll(shapes::snapshotOf(shapes::complexOf(input), shape));
         }
     }
+}
+
+// The surface of a box of whole cells lies on faces, edges and points of cells of
+// different sizes.
+TEST(GivenInterface, repeatsPointsOnFaces)
+{
+    shapes::BoxOptions graded = meshBox();
+    graded.map = [](const point& x)
+    { return point(x.x() * (0.6 + 0.3 * x.x()), x.y() * (1.4 - 0.3 * x.y()), x.z()); };
+    const auto complex = shapes::box(graded);
+    scalarField alpha(complex->nCells());
+    forAll(alpha, celli)
+    {
+        const point& x = complex->cellCentres()[celli];
+        alpha[celli] = x.x() < 0.6 && x.y() < 0.7 && x.z() < 0.55;
+    }
+    expectRepeatedByAll(shapes::snapshotOf(complex, alpha));
+}
+
+// Of the cells at a corner, a face or inside of one: the size tells which, if one has
+// it.
+TEST(GivenInterface, theSizeTellsTheCell)
+{
+    shapes::BoxOptions graded = meshBox();
+    graded.map = [](const point& x) { return point(x.x() * x.x(), x.y(), x.z()); };
+    const auto complex = shapes::box(graded);
+    const FlowSnapshot snapshot =
+        shapes::snapshotOf(complex, shapes::sphere(middle, 0.35));
+    const scalar side = sqr(0.48); // a plane of faces
+    const label left = complex->findCell(point(side - 1e-3, 0.35, 0.42));
+    const label right = complex->findCell(point(side + 1e-3, 0.35, 0.42));
+    const scalarField& sizes = complex->cellSizes();
+    EXPECT_LT(sizes[left], 0.95 * sizes[right]);
+    GivenSurface surface;
+    surface.triangles.append(triFace(0, 1, 2));
+    surface.points = List<point>{
+        point(side, 0.35, 0.42), point(side, 0.36, 0.42), point(0.17, 0.35, 0.45)};
+    const auto cellsOf = [&](scalar first, scalar others)
+    {
+        surface.cellSizes = List<scalar>{first, others, others};
+        return put(snapshot, surface).mesh.cells;
+    };
+    EXPECT_EQ(cellsOf(sizes[left], sizes[right]), (labelList{left, right, left}));
+    EXPECT_EQ(cellsOf(sizes[right], sizes[left]), (labelList{right, left, left}));
+    // Of another mesh.
+    EXPECT_EQ(cellsOf(1.001 * sizes[right], 0), (labelList{left, left, left}));
 }
 
 TEST(GivenInterface, pointsAtOnePlaceAreOne)

@@ -18,25 +18,6 @@ using namespace Foam::stability;
 namespace
 {
 
-std::shared_ptr<const CellComplex> cellsOfOne(label n)
-{
-    shapes::BoxOptions options;
-    options.max = point(n, n, n);
-    options.n = Vector<label>(n, n, n);
-    return shapes::box(options);
-}
-
-shapes::Shape torus(const point& centre, const vector& axis, scalar major, scalar minor)
-{
-    const vector a = axis / mag(axis);
-    return [=](const point& x)
-    {
-        const vector d = x - centre;
-        const scalar along = d & a;
-        return std::hypot(mag(d - along * a) - major, along) - minor;
-    };
-}
-
 struct Floors
 {
     scalar told = 0, truth = 0; // [cells]
@@ -51,7 +32,8 @@ Floors floorsOf(
     options.method = method;
     options.sharpening = sharpening;
     options.nThreads = nThreads;
-    const FlowSnapshot snapshot = shapes::snapshotOf(cellsOfOne(n), shape);
+    const FlowSnapshot snapshot =
+        shapes::snapshotOf(shapes::box(shapes::boxOf(n)), shape);
     const auto result = Reconstruction::New(options)->extract(snapshot);
     scalarField errors(result.mesh.points.size());
     forAll(errors, pointi)
@@ -65,7 +47,7 @@ Floors floorsOf(
 
 const shapes::Shape ball = shapes::sphere(point(9.137, 8.732, 9.281), 4.8);
 const shapes::Shape ring =
-    torus(point(17.137, 16.732, 17.281), vector(1, 2, 3), 9, 4.8);
+    shapes::torus(point(17.137, 16.732, 17.281), vector(1, 2, 3), 9, 4.8);
 
 } // namespace
 

@@ -10,6 +10,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
+#include <set>
 
 using namespace Foam;
 using namespace Foam::stability;
@@ -181,6 +183,65 @@ TEST(PlicPolygons, aSharpStartIsMadeOfFaces)
     EXPECT_NEAR(total.z(), 0.6, 1e-12);
     EXPECT_NEAR(result.mesh.area(), height + 0.6, 1e-12);
     EXPECT_GT(height, 0.4);
+}
+
+// A column of setFields a little later: what the flow carried over its faces is a
+// trace, and the planes of these cells are slivers. Whatever they hide, the column is
+// covered, and not twice.
+TEST(PlicPolygons, aStartThatLeaksIsCovered)
+{
+    const auto complex = shapes::complexOf(shapes::boxInput(meshBox(20)));
+    std::mt19937 random(5);
+    for (const scalar leak : {1e-5, 1e-3, 0.03})
+    {
+        scalarField alpha(complex->nCells());
+        forAll(alpha, celli)
+        {
+            const point& x = complex->cellCentres()[celli];
+            const bool water = x.x() < 0.6 && x.z() < 0.55;
+            const scalar lost = leak * (random() % 1000) / 1000;
+            alpha[celli] = water ? 1 : lost * (x.x() < 0.66 && x.z() < 0.6);
+        }
+        const InterfaceMesh mesh = extract(shapes::snapshotOf(complex, alpha)).mesh;
+        const scalar height = 11 * 1.1 / 21;
+        const scalar truth = height + 0.6;
+        EXPECT_GT(mesh.area(), 0.93 * truth) << leak;
+        EXPECT_LT(mesh.area(), 1.05 * truth) << leak;
+    }
+}
+
+// A plane that runs along faces, crosses them at a small angle and has nearly full
+// cells next to nearly empty ones: its polygons cover it, and no face does.
+TEST(PlicPolygons, anObliquePlaneIsNotCoveredTwice)
+{
+    for (const CellComplexInput& input : allMeshes(12))
+    {
+        const auto complex = shapes::complexOf(input);
+        for (const vector& normal :
+             {vector(0.02, 0.05, 1), vector(-0.11, 0.07, 1), vector(0.3, 0.2, 1)})
+        {
+            const FlowSnapshot snapshot =
+                shapes::snapshotOf(complex, shapes::halfSpace(middle, normal));
+            const scalarField& alpha = snapshot.alphas[0];
+            label nJumps = 0;
+            for (label facei = 0; facei < complex->nInternalFaces(); ++facei)
+            {
+                const scalar a = alpha[complex->owner()[facei]];
+                const scalar b = alpha[complex->neighbour()[facei]];
+                nJumps += max(a, b) > 0.9 && min(a, b) < 0.1;
+            }
+            EXPECT_GT(nJumps, 3) << normal.x();
+            const InterfaceMesh mesh = extract(snapshot).mesh;
+            EXPECT_NEAR(mesh.area() / (1.2 * mag(normal)), 1, 0.02) << normal.x();
+            const Rows polygons = trianglesOfPolygons(mesh);
+            std::set<label> cells;
+            for (label i = 0; i < polygons.size(); ++i)
+            {
+                cells.insert(mesh.cells[mesh.triangles[polygons[i][0]][0]]);
+            }
+            EXPECT_EQ(label(cells.size()), polygons.size()) << normal.x();
+        }
+    }
 }
 
 // A droplet in one cell whose neighbours do not tell where it faces.

@@ -91,25 +91,6 @@ Errors errorsOf(const InterfaceMesh& mesh, const shapes::Shape& shape)
     return e;
 }
 
-shapes::BoxOptions boxOf(label n)
-{
-    shapes::BoxOptions options;
-    options.max = point(n, n, n);
-    options.n = Vector<label>(n, n, n);
-    return options;
-}
-
-shapes::Shape torus(const point& centre, const vector& axis, scalar major, scalar minor)
-{
-    const vector a = axis / mag(axis);
-    return [=](const point& x)
-    {
-        const vector d = x - centre;
-        const scalar along = d & a;
-        return std::hypot(mag(d - along * a) - major, along) - minor;
-    };
-}
-
 shapes::Shape sheet(const point& origin, const vector& normal, scalar thickness)
 {
     const vector n = normal / mag(normal);
@@ -130,7 +111,7 @@ const point offGrid(9.137, 8.732, 9.281);
 
 TEST(Sharpening, sphereOnHexahedra)
 {
-    const auto complex = shapes::box(boxOf(18));
+    const auto complex = shapes::box(shapes::boxOf(18));
     const shapes::Shape ball = shapes::sphere(offGrid, 4.8);
     const FlowSnapshot snapshot = shapes::snapshotOf(complex, ball);
     const ReconstructionResult result = sharpened(snapshot, Sharpening::automatic);
@@ -161,7 +142,7 @@ TEST(Sharpening, convergesFasterThanTheMesh)
     for (label i = 0; i < 2; ++i)
     {
         const label n = 16 << i;
-        shapes::BoxOptions options = boxOf(n);
+        shapes::BoxOptions options = shapes::boxOf(n);
         options.max = point(1, 1, 1);
         const shapes::Shape ball = shapes::sphere(point(0.512, 0.487, 0.531), 0.3);
         const ReconstructionResult result = sharpened(
@@ -180,9 +161,9 @@ TEST(Sharpening, convergesFasterThanTheMesh)
 
 TEST(Sharpening, torusAndThinSheets)
 {
-    const auto complex = shapes::box(boxOf(34));
+    const auto complex = shapes::box(shapes::boxOf(34));
     const shapes::Shape ring =
-        torus(point(17.137, 16.732, 17.281), vector(1, 2, 3), 9, 4.8);
+        shapes::torus(point(17.137, 16.732, 17.281), vector(1, 2, 3), 9, 4.8);
     EXPECT_LT(
         errorsOf(
             sharpened(shapes::snapshotOf(complex, ring), Sharpening::automatic).mesh,
@@ -192,7 +173,7 @@ TEST(Sharpening, torusAndThinSheets)
         0.003
     );
 
-    const auto cube = shapes::box(boxOf(20));
+    const auto cube = shapes::box(shapes::boxOf(20));
     const vector normals[] = {{1, 0.31, 0.17}, {0.5, 0.9, -0.35}, {0.6, -0.55, 0.58}};
     for (const vector& n : normals)
     {
@@ -233,8 +214,10 @@ TEST(Sharpening, sphereOnOtherCells)
 {
     const auto refine = [](const point& x) { return x.x() > 9; };
     for (const CellComplexInput& input :
-         {shapes::perturbedBox(boxOf(18)), shapes::tetrahedralBox(boxOf(18)),
-          shapes::refinedBox(boxOf(18), refine), shapes::dualBox(boxOf(18))})
+         {shapes::perturbedBox(shapes::boxOf(18)),
+          shapes::tetrahedralBox(shapes::boxOf(18)),
+          shapes::refinedBox(shapes::boxOf(18), refine),
+          shapes::dualBox(shapes::boxOf(18))})
     {
         const auto complex = shapes::complexOf(input);
         const shapes::Shape ball = shapes::sphere(offGrid, 4.8);
@@ -252,7 +235,7 @@ TEST(Sharpening, sphereOnOtherCells)
 
 TEST(Sharpening, sphereThatTouchesWalls)
 {
-    const auto complex = shapes::box(boxOf(18));
+    const auto complex = shapes::box(shapes::boxOf(18));
     const shapes::Shape ball = shapes::sphere(point(9.137, 8.732, 1.281), 4.8);
     const ReconstructionResult result =
         sharpened(shapes::snapshotOf(complex, ball), Sharpening::automatic);
@@ -272,7 +255,7 @@ TEST(Sharpening, sphereThatTouchesWalls)
 // Fractions of 0 and 1 alone: the interface lies in the faces.
 TEST(Sharpening, boxOfSetFields)
 {
-    const auto complex = shapes::box(boxOf(12));
+    const auto complex = shapes::box(shapes::boxOf(12));
     const shapes::Shape water = shapes::block(point(-1, -1, -1), point(5, 13, 7));
     const ReconstructionResult result =
         sharpened(shapes::snapshotOf(complex, water), Sharpening::automatic);
@@ -293,7 +276,7 @@ TEST(Sharpening, boxOfSetFields)
 
 TEST(Sharpening, smearedPlane)
 {
-    const auto complex = shapes::box(boxOf(16));
+    const auto complex = shapes::box(shapes::boxOf(16));
     const vector n = vector(1, 0.4, 0.7) / mag(vector(1, 0.4, 0.7));
     const point origin(8.13, 7.87, 8.21);
     scalarField alpha(complex->nCells());
@@ -326,7 +309,7 @@ TEST(Sharpening, smearedPlane)
 
 TEST(Sharpening, threadsDoNotMatter)
 {
-    const auto complex = shapes::complexOf(shapes::perturbedBox(boxOf(14)));
+    const auto complex = shapes::complexOf(shapes::perturbedBox(shapes::boxOf(14)));
     const FlowSnapshot snapshot =
         shapes::snapshotOf(complex, shapes::sphere(point(7.1, 6.9, 7.2), 4.1));
     for (const Sharpening kind : {Sharpening::plic, Sharpening::profile})
@@ -339,7 +322,7 @@ TEST(Sharpening, threadsDoNotMatter)
 
 TEST(Sharpening, nothingToSharpen)
 {
-    const auto complex = shapes::box(boxOf(6));
+    const auto complex = shapes::box(shapes::boxOf(6));
     const FlowSnapshot empty =
         shapes::snapshotOf(complex, scalarField(complex->nCells(), 0));
     EXPECT_TRUE(sharpened(empty, Sharpening::automatic).mesh.empty());
