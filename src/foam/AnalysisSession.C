@@ -233,6 +233,8 @@ void AnalysisSession::announce() const
              << flux_.reason().c_str() << nl << "    "
              << options.reconstruction.method.c_str() << " reconstruction, sharpening "
              << sharpeningNames()[label(options.reconstruction.sharpening)].c_str()
+             << ", volumeFit "
+             << volumeFitNames()[label(options.reconstruction.volumeFit)].c_str()
              << ", epsilon " << epsilon.value << (epsilon.relative ? " cells" : " m")
              << ", " << options.nThreads << " threads" << nl;
         for (const ReconstructionFrom& later : options.later)

@@ -49,7 +49,7 @@ const wordList ownEntries{"alpha",           "U",          "phi",
                           "smooth",          "epsilon",    "epsilonAbsolute",
                           "merge",           "normalGate", "seamTreatment",
                           "wallVelocity",    "tolerance",  "maxParticles",
-                          "flattening",      "nThreads"};
+                          "flattening",      "nThreads",   "volumeFit"};
 
 // What OpenFOAM itself reads from the dictionary of any function object.
 const wordList functionObjectEntries{
@@ -263,6 +263,17 @@ Sharpening readSharpening(const dictionary& dict, const ReconstructionOptions& o
     return Sharpening(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
+VolumeFit readVolumeFit(const dictionary& dict, const ReconstructionOptions& options)
+{
+    const std::vector<std::string>& names = volumeFitNames();
+    const word name = readWord(dict, "volumeFit", "none", names);
+    if (options.method != "isoAlpha" && name != "none")
+    {
+        refuse(dict, "volumeFit", "none with the reconstruction " + options.method);
+    }
+    return VolumeFit(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
 ReconstructionOptions readReconstruction(const dictionary& dict, Shell shell)
 {
     ReconstructionOptions options;
@@ -279,6 +290,7 @@ ReconstructionOptions readReconstruction(const dictionary& dict, Shell shell)
         refuse(dict, "smooth", "0 with the reconstruction " + options.method);
     }
     options.sharpening = readSharpening(dict, options);
+    options.volumeFit = readVolumeFit(dict, options);
     return options;
 }
 
@@ -317,7 +329,8 @@ void readLater(const dictionary& dict, Shell shell, Controls& controls)
     {
         return;
     }
-    const wordList allowed{"from", "reconstruction", "sharpening", "smooth", "files"};
+    const wordList allowed{"from",   "reconstruction", "sharpening",
+                           "smooth", "files",          "volumeFit"};
     scalar before = -VGREAT;
     for (const entry& e : PtrList<entry>(dict.lookup("reconstructions")))
     {
@@ -417,6 +430,7 @@ std::vector<Method> readMethods(const dictionary& dict)
         if (e.dict().found("reconstruction"))
         {
             merged.remove("sharpening");
+            merged.remove("volumeFit");
         }
         merged.merge(e.dict());
         methods.push_back({name, readControls(merged, Shell::utility)});

@@ -283,6 +283,13 @@ ReconstructionResult IsoAlpha::extract(const FlowSnapshot& snapshot) const
         result.volume += result.sharpening->volume;
         settleInCells(result.mesh, complex);
     }
+    if (options_.volumeFit != VolumeFit::none)
+    {
+        result.volumeFit =
+            fitVolumes(result.mesh, complex, fractions, options_.nThreads);
+        result.volume += result.volumeFit->volume;
+        settleInCells(result.mesh, complex);
+    }
     return result;
 }
 

@@ -306,6 +306,7 @@ void StabilityTracker::takeStock(const ReconstructionResult& extracted)
     statistics.interval = latest_->time - lastClassified_;
     statistics.volumeError = extracted.volumeError();
     result_.nFailedCells = extracted.nFailed;
+    result_.volumeFit = extracted.volumeFit;
     statistics.nParticles = particles_.size();
     statistics.nMerged = result_.transfer.nMerged;
     statistics.nSplit = result_.transfer.nSplit;
