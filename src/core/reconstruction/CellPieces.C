@@ -28,6 +28,32 @@ scalar sixfold(const Tet& t)
     return (t[1] - t[0]) & ((t[2] - t[0]) ^ (t[3] - t[0]));
 }
 
+// The corners of a tetrahedron on both sides of a plane.
+struct Sides
+{
+    std::array<point, 4> in, out;
+    std::array<scalar, 4> inDepth{}, outDepth{};
+    label nIn = 0, nOut = 0;
+
+    Sides(const Tet& t, const HalfSpace& half)
+    {
+        for (const point& x : t)
+        {
+            const scalar depth = half.depth(x);
+            label& n = depth > 0 ? nIn : nOut;
+            (depth > 0 ? in : out)[n] = x;
+            (depth > 0 ? inDepth : outDepth)[n] = depth;
+            ++n;
+        }
+    }
+
+    // Where the edge between an inner and an outer corner meets the plane.
+    point cut(label i, label o) const
+    {
+        return in[i] + inDepth[i] / (inDepth[i] - outDepth[o]) * (out[o] - in[i]);
+    }
+};
+
 // Sixfold volume of the part of a tetrahedron in all half spaces from `first` on.
 scalar clipped(const Tet& t, const HalfSpace* first, const HalfSpace* last)
 {
@@ -35,44 +61,26 @@ scalar clipped(const Tet& t, const HalfSpace* first, const HalfSpace* last)
     {
         return mag(sixfold(t));
     }
-    std::array<point, 4> in, out;
-    std::array<scalar, 4> inDepth{}, outDepth{};
-    label nIn = 0, nOut = 0;
-    for (const point& x : t)
+    const Sides s(t, *first);
+    const auto rest = [&](const Tet& part) { return clipped(part, first + 1, last); };
+    if (s.nIn == 0 || s.nIn == 4)
     {
-        const scalar depth = first->depth(x);
-        label& n = depth > 0 ? nIn : nOut;
-        (depth > 0 ? in : out)[n] = x;
-        (depth > 0 ? inDepth : outDepth)[n] = depth;
-        ++n;
+        return s.nIn == 0 ? 0 : rest(t);
     }
-    const auto cut = [&](label i, label o) -> point
-    { return in[i] + inDepth[i] / (inDepth[i] - outDepth[o]) * (out[o] - in[i]); };
-    const auto rest = [&](const point& a, const point& b, const point& c,
-                          const point& d) {
-        return clipped({a, b, c, d}, first + 1, last);
-    };
-    if (nIn == 0)
+    if (s.nIn == 1)
     {
-        return 0;
+        return rest({s.in[0], s.cut(0, 0), s.cut(0, 1), s.cut(0, 2)});
     }
-    if (nIn == 4)
+    const point &p = s.in[0], &q = s.in[1];
+    if (s.nIn == 2)
     {
-        return clipped(t, first + 1, last);
+        const point p0 = s.cut(0, 0), p1 = s.cut(0, 1);
+        const point q0 = s.cut(1, 0), q1 = s.cut(1, 1);
+        return rest({p, p0, p1, q}) + rest({q, p0, p1, q0}) + rest({q, p1, q0, q1});
     }
-    if (nIn == 1)
-    {
-        return rest(in[0], cut(0, 0), cut(0, 1), cut(0, 2));
-    }
-    if (nIn == 2)
-    {
-        const point a0 = cut(0, 0), a1 = cut(0, 1), b0 = cut(1, 0), b1 = cut(1, 1);
-        return rest(in[0], a0, a1, in[1]) + rest(in[1], a0, a1, b0)
-               + rest(in[1], a1, b0, b1);
-    }
-    const point a = cut(0, 0), b = cut(1, 0), c = cut(2, 0);
-    return rest(in[0], in[1], in[2], a) + rest(in[1], in[2], a, b)
-           + rest(in[2], a, b, c);
+    const point p0 = s.cut(0, 0), q0 = s.cut(1, 0), r0 = s.cut(2, 0);
+    return rest({p, q, s.in[2], p0}) + rest({q, s.in[2], p0, q0})
+           + rest({s.in[2], p0, q0, r0});
 }
 
 // The column below an upward triangle, seen from above counter-clockwise.

@@ -4,6 +4,7 @@
 #include "core/reconstruction/MaterialShares.H"
 
 #include "core/mesh/SurfaceLocator.H"
+#include "core/reconstruction/PieceCells.H"
 
 #include <algorithm>
 #include <optional>
@@ -41,19 +42,23 @@ public:
           nThreads_(nThreads),
           locator_(mesh.points, mesh.triangles, mesh.meanCellSize()),
           normals_(mesh.pointNormals()), places_(complex.nCells(), -1),
-          visits_(complex.nCells(), -1), columns_(pieces.all.size())
+          columns_(pieces.all.size())
     {
     }
 
     std::vector<MaterialShare> run()
     {
         std::vector<MaterialShare> shares(pieces_.all.size());
+        PieceCells cells(mesh_, complex_);
         for (std::size_t i = 0; i < pieces_.all.size(); ++i)
         {
             if (pieces_.all[i].closed)
             {
                 columns_[i].emplace(mesh_, pieces_.all[i]);
-                addCells(pieces_.all[i]);
+                for (const label celli : cells.of(pieces_.all[i]))
+                {
+                    addCell(celli);
+                }
             }
         }
         findParts(0);
@@ -80,54 +85,6 @@ private:
         {
             places_[celli] = label(region_.size());
             region_.push_back({celli, {}, false});
-        }
-    }
-
-    // All that the boxes of its triangles meet.
-    void addCells(const SurfacePiece& piece)
-    {
-        std::vector<label> front;
-        for (const label trianglei : piece.triangles)
-        {
-            front.clear();
-            boundBox box;
-            for (const label pointi : mesh_.triangles[trianglei])
-            {
-                box.add(mesh_.points[pointi]);
-                visit(mesh_.cells[pointi], trianglei, front);
-            }
-            for (std::size_t i = 0; i < front.size(); ++i)
-            {
-                if (boundsOf(complex_, front[i]).overlaps(box))
-                {
-                    addCell(front[i]);
-                    visitAround(front[i], trianglei, front);
-                }
-            }
-        }
-    }
-
-    void visit(label celli, label trianglei, std::vector<label>& front)
-    {
-        if (visits_[celli] != trianglei)
-        {
-            visits_[celli] = trianglei;
-            front.push_back(celli);
-        }
-    }
-
-    // The cells that share a point with this one.
-    void visitAround(label celli, label trianglei, std::vector<label>& front)
-    {
-        for (const label facei : complex_.cellFaces()[celli])
-        {
-            for (const label pointi : complex_.faces()[facei])
-            {
-                for (const label other : complex_.pointCells()[pointi])
-                {
-                    visit(other, trianglei, front);
-                }
-            }
         }
     }
 
@@ -249,13 +206,13 @@ private:
         const CellPieces cell(complex_, here.cell);
         const std::vector<Part>& parts = here.parts;
         scalar surplus = alpha_[here.cell] * cell.volume();
-        scalar largest = 0, area = 0;
+        scalar largest = 0, weights = 0;
         for (const Part& part : parts)
         {
             const scalar volume = pieces_.all[part.piece].volume;
             largest = mag(volume) > mag(largest) ? volume : largest;
             surplus -= columns_[part.piece]->volumeIn(cell);
-            area += part.area;
+            weights += sqr(part.area);
         }
         // What is outside of all of them lies around the largest.
         surplus -= largest < 0 ? cell.volume() : 0;
@@ -263,6 +220,8 @@ private:
         {
             return {surplus};
         }
+        // Each piece is about as far off as the others, so the surplus is that of the
+        // areas, and most likely in the ratio of their squares.
         std::vector<scalar> result;
         for (const Part& part : parts)
         {
@@ -271,7 +230,7 @@ private:
         }
         for (std::size_t i = 0; i < parts.size(); ++i)
         {
-            result[i] += parts[i].area / area * surplus;
+            result[i] += sqr(parts[i].area) / weights * surplus;
         }
         return result;
     }
@@ -340,7 +299,6 @@ private:
     vectorField normals_; // per point
     std::vector<RegionCell> region_;
     std::vector<label> places_; // per cell: where in the region
-    std::vector<label> visits_; // per cell: the triangle that came last
     std::vector<std::optional<PieceColumns>> columns_;
 };
 

@@ -217,6 +217,35 @@ TEST(VolumeFit, nestedThrice)
     EXPECT_NEAR(volumes[2] / materialIn(*complex, a), 1, 1e-8);
 }
 
+// Where no cell is cut by both, each has its own; else what is in such cells is divided
+// by what each surface has there, and only the sum is known.
+TEST(VolumeFit, twoBallsCloseToEachOther)
+{
+    const vector directions[] = {
+        {1, 0, 0}, {1, 0.31, 0.17}, {0.5, 0.9, -0.35}, {0.6, -0.55, 0.58}};
+    const scalar tolerances[] = {1e-8, 1e-8, 3e-5, 3e-5};
+    constexpr scalar large = 4.8, small = 3.7, gap = 0.9;
+    const Complex complex = shapes::box(boxOf(24));
+    for (label i = 0; i < 4; ++i)
+    {
+        const vector n = directions[i] / mag(directions[i]);
+        const point a = point(12.137, 11.732, 12.281) - 0.5 * (small + gap) * n;
+        const point b = a + (large + gap + small) * n;
+        const scalarField first =
+            shapes::exactAlpha(*complex, shapes::sphere(a, large));
+        const scalarField second =
+            shapes::exactAlpha(*complex, shapes::sphere(b, small));
+        const ReconstructionResult fit =
+            fitted(shapes::snapshotOf(complex, scalarField(first + second)));
+        const std::vector<scalar> volumes = closedVolumes(fit.mesh);
+        ASSERT_EQ(volumes.size(), 2u);
+        EXPECT_EQ(fit.volumeFit->nStayed(), 0);
+        EXPECT_NEAR(fit.volumeError(), 0, 1e-8);
+        EXPECT_NEAR(volumes[0] / materialIn(*complex, second), 1, tolerances[i]);
+        EXPECT_NEAR(volumes[1] / materialIn(*complex, first), 1, tolerances[i]);
+    }
+}
+
 // Nothing of the wall is the ball's, but a third of a cell is left between them.
 TEST(VolumeFit, ballNearAWall)
 {
