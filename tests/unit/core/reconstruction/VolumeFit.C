@@ -183,12 +183,13 @@ TEST(VolumeFit, torusAndUnsharpenedSphere)
 // Each of both surfaces, not only what lies between them.
 TEST(VolumeFit, bubbleInADrop)
 {
-    for (const Complex& complex : meshes(18))
+    const point centre(7.137, 6.732, 7.281);
+    for (const Complex& complex : meshes(14))
     {
         const scalarField outer =
-            shapes::exactAlpha(*complex, shapes::sphere(offGrid, 6.4));
+            shapes::exactAlpha(*complex, shapes::sphere(centre, 5.3));
         const scalarField inner = shapes::exactAlpha(
-            *complex, shapes::sphere(offGrid + vector(0.4, -0.3, 0.2), 3.1)
+            *complex, shapes::sphere(centre + vector(0.4, -0.3, 0.2), 2.3)
         );
         const ReconstructionResult fit =
             fitted(shapes::snapshotOf(complex, scalarField(outer - inner)));
