@@ -9,7 +9,6 @@
 #include "foam/ranks/PstreamExchange.H"
 #include "fvMesh.H"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -61,6 +60,38 @@ exchangeOf(const RankMessages& messages, const fvMesh& mesh)
     return std::make_unique<PstreamExchange>(messages, mesh.nCells());
 }
 
+[[noreturn]] void refuse(const std::string& what)
+{
+    throw BadInput(
+        what
+        + " works in serial runs only so far: run the analysis on the "
+          "reconstructed case."
+    );
+}
+
+void refuseInParallel(const Controls& controls)
+{
+    for (const FilesFrom& files : controls.files)
+    {
+        if (!files.pattern.empty())
+        {
+            refuse("The reconstruction fromFiles");
+        }
+    }
+    const auto check = [](const ReconstructionOptions& options)
+    {
+        if (options.volumeFit != VolumeFit::none)
+        {
+            refuse("The entry 'volumeFit component'");
+        }
+    };
+    check(controls.tracker.reconstruction);
+    for (const ReconstructionFrom& later : controls.tracker.later)
+    {
+        check(later.reconstruction);
+    }
+}
+
 } // namespace
 
 AnalysisSession::AnalysisSession(
@@ -76,16 +107,9 @@ AnalysisSession::AnalysisSession(
       tracker_(observed(controls.tracker), *exchange_),
       seconds_(phaseNames().size(), 0), secondsBefore_(seconds_)
 {
-    const bool fromFiles = std::any_of(
-        controls.files.begin(), controls.files.end(),
-        [](const FilesFrom& files) { return !files.pattern.empty(); }
-    );
-    if (messages_.nRanks() > 1 && fromFiles)
+    if (messages_.nRanks() > 1)
     {
-        throw BadInput(
-            "The reconstruction fromFiles works in serial runs only so far: run the "
-            "analysis on the reconstructed case."
-        );
+        refuseInParallel(controls);
     }
 }
 
@@ -382,6 +406,8 @@ void AnalysisSession::announce() const
              << flux_.reason().c_str() << nl << "    "
              << options.reconstruction.method.c_str() << " reconstruction, sharpening "
              << sharpeningNames()[label(options.reconstruction.sharpening)].c_str()
+             << ", volumeFit "
+             << volumeFitNames()[label(options.reconstruction.volumeFit)].c_str()
              << ", epsilon " << epsilon.value << (epsilon.relative ? " cells" : " m")
              << ", " << options.nThreads << " threads" << nl;
         for (const ReconstructionFrom& later : options.later)

@@ -62,6 +62,7 @@ const wordList ownEntries{
     "maxParticles",
     "flattening",
     "nThreads",
+    "volumeFit",
     "writePrecision",
     "surfaceInterval",
     "particleInterval"};
@@ -137,6 +138,17 @@ Sharpening readSharpening(const dictionary& dict, const ReconstructionOptions& o
     return Sharpening(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
+VolumeFit readVolumeFit(const dictionary& dict, const ReconstructionOptions& options)
+{
+    const std::vector<std::string>& names = volumeFitNames();
+    const word name = readWord(dict, "volumeFit", "none", names);
+    if (options.method != "isoAlpha" && name != "none")
+    {
+        refuse(dict, "volumeFit", "none with the reconstruction " + options.method);
+    }
+    return VolumeFit(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
 ReconstructionOptions readReconstruction(const dictionary& dict, Shell shell)
 {
     ReconstructionOptions options;
@@ -153,6 +165,7 @@ ReconstructionOptions readReconstruction(const dictionary& dict, Shell shell)
         refuse(dict, "smooth", "0 with the reconstruction " + options.method);
     }
     options.sharpening = readSharpening(dict, options);
+    options.volumeFit = readVolumeFit(dict, options);
     return options;
 }
 
@@ -219,8 +232,8 @@ void readLater(const dictionary& dict, Shell shell, Controls& controls)
         return;
     }
     const wordList allowed{
-        "from",  "reconstruction", "sharpening",      "smooth",
-        "files", "epsilon",        "epsilonAbsolute", "seamTreatment"};
+        "from",    "reconstruction",  "sharpening",    "smooth",   "files",
+        "epsilon", "epsilonAbsolute", "seamTreatment", "volumeFit"};
     scalar before = -VGREAT;
     for (const entry& e : PtrList<entry>(dict.lookup("reconstructions")))
     {
@@ -331,6 +344,7 @@ std::vector<Method> readMethods(const dictionary& dict)
         if (e.dict().found("reconstruction"))
         {
             outer.remove("sharpening");
+            outer.remove("volumeFit");
         }
         const dictionary merged(overlaid(outer, e.dict()));
         methods.push_back({name, readControls(merged, Shell::utility)});

@@ -104,6 +104,16 @@ void ProgressReport::showTroubles(const Classification& c, const word& timeName)
              << " cells with an interface have no piece of it: no plane was found"
              << endl;
     }
+    if (c.volumeFit && c.volumeFit->nStayed() > 0)
+    {
+        const VolumeFitResult& fit = *c.volumeFit;
+        Info << "interfaceStability: at time " << timeName << " s " << fit.nStayed()
+             << " of " << fit.nClosed
+             << " closed components keep their volume: " << fit.nTooFar
+             << " would have to move too far, " << fit.nFolded << " would fold, "
+             << fit.nOpen << " share fluid with what is not closed, " << fit.nHeld
+             << " are held by walls" << endl;
+    }
     const IntegrationCounts& surface = c.timeSurfaceCounts;
     const IntegrationCounts& particles = c.particleCounts;
     if (surface.nStuck + surface.nLost + particles.nStuck + particles.nLost > 0)

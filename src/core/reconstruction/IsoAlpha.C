@@ -283,6 +283,12 @@ ReconstructionResult IsoAlpha::extract(const FlowSnapshot& snapshot) const
         );
         result.volume += result.sharpening->volume;
     }
+    if (options_.volumeFit != VolumeFit::none)
+    {
+        result.volumeFit =
+            fitVolumes(result.mesh, complex, fractions, options_.nThreads);
+        result.volume += result.volumeFit->volume;
+    }
     return result;
 }
 

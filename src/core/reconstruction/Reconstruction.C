@@ -47,6 +47,13 @@ void checkOptions(const ReconstructionOptions& options)
             "Sharpening is for the reconstruction isoAlpha, not " + options.method + "."
         );
     }
+    if (options.volumeFit != VolumeFit::none && options.method != "isoAlpha")
+    {
+        throw BadInput(
+            "Fitting volumes (volumeFit) is for the reconstruction isoAlpha, not "
+            + options.method + "."
+        );
+    }
 }
 
 } // namespace

@@ -210,7 +210,7 @@ void StabilityTracker::placeTimeSurface()
 scalar StabilityTracker::displacement()
 {
     const CellComplex& complex = *latest_->complex;
-    List<scalar> sums(2, 0);
+    List<scalar> sums(2, scalar(0));
     for (const Pathline& path : pathlines_)
     {
         if (path.hint.cell >= 0)
@@ -428,6 +428,7 @@ void StabilityTracker::takeStock(const ReconstructionResult& extracted)
     statistics.interval = latest_->time - lastClassified_;
     statistics.volumeError = extracted.volumeError();
     result_.nFailedCells = extracted.nFailed;
+    result_.volumeFit = extracted.volumeFit;
     statistics.nParticles = particles_.size();
     statistics.nMerged = result_.transfer.nMerged;
     statistics.nSplit = result_.transfer.nSplit;
