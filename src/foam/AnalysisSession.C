@@ -385,8 +385,26 @@ void AnalysisSession::writeTimings()
     folder_->writeTimings(statistics_.time, since);
 }
 
+// What the busiest rank sent.
+void AnalysisSession::tellMessages() const
+{
+    const label n = max(nClassified_, label(1));
+    const scalar messages = returnReduce(messages_.nMessages() / n, maxOp<label>());
+    const scalar kilobytes =
+        returnReduce(messages_.nBytes() / n / 1024, maxOp<scalar>());
+    if (progress_.shown())
+    {
+        Info << "interfaceStability: a rank sent up to " << messages << " messages and "
+             << label(std::ceil(kilobytes)) << " kB per classified time" << endl;
+    }
+}
+
 void AnalysisSession::complete() const
 {
+    if (messages_.nRanks() > 1)
+    {
+        tellMessages();
+    }
     if (folder_ && nClassified_ > 0)
     {
         folder_->complete();

@@ -3,6 +3,9 @@
 
 #include "foam/functionObject/RunCost.H"
 
+#include "Pstream.H"
+#include "PstreamReduceOps.H"
+
 #include <iomanip>
 #include <sstream>
 
@@ -13,15 +16,18 @@ namespace Foam::stability
 
 std::string RunCost::text() const
 {
-    const scalar total = Busy::secondsSince(begin_);
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
+    const scalar total = returnReduce(Busy::secondsSince(begin_), maxOp<scalar>());
+    const scalar seconds = returnReduce(seconds_, maxOp<scalar>());
+    const scalar memory =
+        returnReduce(scalar(usage.ru_maxrss), maxOp<scalar>()); // [kB]
     std::ostringstream os;
-    os << std::fixed << std::setprecision(2) << "the analysis took " << seconds_
-       << " s, " << std::setprecision(1) << (total > 0 ? 100 * seconds_ / total : 0)
+    os << std::fixed << std::setprecision(2) << "the analysis took " << seconds
+       << " s, " << std::setprecision(1) << (total > 0 ? 100 * seconds / total : 0)
        << " % of " << std::setprecision(2) << total
        << " s since it began; peak memory of the process " << std::setprecision(0)
-       << scalar(usage.ru_maxrss) / 1024 << " MB"; // from kB
+       << memory / 1024 << " MB";
     return os.str();
 }
 

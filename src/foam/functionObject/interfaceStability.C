@@ -114,7 +114,9 @@ void interfaceStability::guarded(const std::function<void()>& work)
     {
         return;
     }
-    const std::string phase = stability::phaseNames()[std::size_t(session_->phase())];
+    // All ranks fail together; the one at fault was the first to stop.
+    const label first = returnReduce(label(session_->phase()), minOp<label>());
+    const std::string phase = stability::phaseNames()[std::size_t(first)];
     session_.reset();
     report(phase + ": " + failure);
 }
