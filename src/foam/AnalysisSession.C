@@ -36,7 +36,8 @@ void checkFinite(
 // Of other ranks' cells: what the points of own triangles depend on.
 label nRings(const Controls& controls)
 {
-    constexpr label toExtract = 2, toSharpen = 9;
+    // To extract alike two would do; droplets are looked at with six.
+    constexpr label toExtract = 6, toSharpen = 9;
     const auto needed = [](const ReconstructionOptions& options)
     {
         return (options.sharpening == Sharpening::none ? toExtract : toSharpen)
@@ -148,7 +149,7 @@ TrackerOptions AnalysisSession::observed(const TrackerOptions& options)
 void AnalysisSession::enter(Phase phase)
 {
     phase_ = phase;
-    forced_.check(phase, fields_.time());
+    forced_.check(phase, time_);
 }
 
 void AnalysisSession::expect(const instantList& times)
@@ -161,6 +162,7 @@ void AnalysisSession::expect(const instantList& times)
               "the time options and the time folders of the case."
         );
     }
+    requireSame(times);
     together(
         [&]
         {
@@ -170,6 +172,32 @@ void AnalysisSession::expect(const instantList& times)
         }
     );
     progress_.expect(times.size());
+}
+
+// A run that was killed may have left a time on some ranks only.
+void AnalysisSession::requireSame(const instantList& times) const
+{
+    DynamicList<char> names;
+    for (const instant& time : times)
+    {
+        names.append(List<char>(time.name().begin(), time.name().end()));
+        names.append(' ');
+    }
+    Packet mine;
+    mine.putList(names);
+    const List<char> wanted(messages_.fromMaster(mine).getList<char>());
+    together(
+        [&]
+        {
+            if (wanted != names)
+            {
+                throw BadInput(
+                    "The folders of the ranks do not have the same times: remove those "
+                    "that are not in all of processor0, processor1, ..."
+                );
+            }
+        }
+    );
 }
 
 // Where nobody said which times there will be: in a solver, or those on disk from now
@@ -232,9 +260,7 @@ std::shared_ptr<FlowSnapshot> AnalysisSession::takeFields()
             }
         }
     );
-    return snapshots_.take(
-        (*alpha)(), (*U)(), fields_.time(), phi ? &(*phi)() : nullptr
-    );
+    return snapshots_.take((*alpha)(), (*U)(), time_, phi ? &(*phi)() : nullptr);
 }
 
 fileName AnalysisSession::resultPath() const
@@ -254,6 +280,7 @@ void AnalysisSession::advance()
 {
     const Busy busy(busySeconds_);
     phase_ = Phase::reading;
+    time_ = fields_.time();
     if (meshChanged_)
     {
         throw BadInput(
@@ -269,7 +296,7 @@ void AnalysisSession::advance()
         tracker_.start(std::move(snapshot));
         announce();
     }
-    else if (fields_.time() != tracker_.time())
+    else if (time_ != tracker_.time())
     {
         tracker_.advance(takeSnapshot());
     }

@@ -156,7 +156,7 @@ def judge_rotation(run, options, verdict):
         verdict.at_most(
             "largest error of p after the turn [cells]",
             errors.p_max,
-            options.largest,
+            options.p_end or options.largest,
         )
         # At single vertices of a seam, now and then.
         verdict.at_most("largest error of p, any step [cells]", largest_p, options.p_any)
@@ -179,6 +179,7 @@ def main():
     parser.add_argument("--transfers", type=int, default=40)
     parser.add_argument("--mean", type=float, default=0.1, help="allowed mean error [cells]")
     parser.add_argument("--largest", type=float, help="allowed error of any vertex [cells]")
+    parser.add_argument("--p-end", type=float, help="the same of p after the turn, if another")
     parser.add_argument("--p-any", type=float, default=0.5,
                         help="allowed error of p of any vertex at any step [cells]")
     parser.add_argument("--centre", nargs=3, type=float, default=[0.726, 0.393, 0.508],

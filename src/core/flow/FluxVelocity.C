@@ -29,7 +29,8 @@ void check(const CellComplex& complex, const scalarField& fluxes)
         if (!std::isfinite(fluxes[facei]))
         {
             throw BadInput(
-                "The flux is not finite at face " + std::to_string(facei) + "."
+                "The flux is not finite at " + textOf(complex.faceCentres()[facei])
+                + "."
             );
         }
     }

@@ -174,8 +174,13 @@ void StabilityTracker::advance(std::shared_ptr<const FlowSnapshot> snapshot)
                 << latest_->time << " s.";
         throw BadInput(message.str());
     }
-    const auto velocity =
-        std::make_shared<const PointVelocity>(snapshot, options_.wallVelocity);
+    std::shared_ptr<const PointVelocity> velocity;
+    together(
+        [&] {
+            velocity =
+                std::make_shared<const PointVelocity>(snapshot, options_.wallVelocity);
+        }
+    );
     const VelocityInterval interval(latestVelocity_, velocity);
     {
         Stopwatch watch(timings_.advection);

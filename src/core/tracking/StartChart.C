@@ -47,6 +47,10 @@ StartChart::read(label trianglei, const point& origin, const vector2D& carried) 
         const FixedList<scalar, 3> w = planeWeights(origin, x[t[0]], x[t[1]], x[t[2]]);
         reading.origin = w[0] * x[t[0]] + w[1] * x[t[1]] + w[2] * x[t[2]];
         reading.p = w[0] * p[c[0]] + w[1] * p[c[1]] + w[2] * p[c[2]];
+        for (direction d = 0; d < 2; ++d) // beyond the edge of a chart
+        {
+            reading.p[d] = std::min(std::max(reading.p[d], scalar(0)), scalar(1));
+        }
         const scalar metres =
             std::sqrt(area / parameterArea) * mag(reading.p - carried);
         reading.gap = metres / surface_->cellSizes[t[0]];

@@ -3,7 +3,6 @@
 
 #include "foam/ranks/PstreamExchange.H"
 
-#include "core/flow/CellBlock.H"
 #include "foam/ranks/CellPackets.H"
 #include "foam/ranks/SurfaceMerge.H"
 
@@ -68,16 +67,21 @@ void PstreamExchange::sum(UList<scalar>& values) const
 {
     Packet mine;
     mine.putList(values);
-    std::vector<Packet> all = messages_.toAll(mine);
     values = scalar(0);
-    for (Packet& packet : all)
+    for (Packet& packet : messages_.toMaster(std::move(mine)))
     {
-        const List<scalar> some(packet.getList<scalar>());
-        forAll(values, i)
+        if (!packet.empty())
         {
-            values[i] += some[i];
+            const List<scalar> some(packet.getList<scalar>());
+            forAll(values, i)
+            {
+                values[i] += some[i];
+            }
         }
     }
+    Packet all;
+    all.putList(values);
+    values.deepCopy(messages_.fromMaster(std::move(all)).getList<scalar>());
 }
 
 void PstreamExchange::agree(const std::string& failure) const
@@ -92,9 +96,14 @@ void PstreamExchange::travel(
 {
     DynamicList<Pathline> arrived(std::move(pathlines));
     pathlines.clear();
-    for (;;)
+    constexpr label maxRounds = 10000;
+    for (label round = 0;; ++round)
     {
         std::string failure;
+        if (round == maxRounds)
+        {
+            failure = "A pathline travels between ranks without end.";
+        }
         try
         {
             advance(arrived);
@@ -106,13 +115,18 @@ void PstreamExchange::travel(
         agree(failure);
 
         std::vector<DynamicList<Pathline>> leaving(nRanks());
-        scalar nLeaving = 0;
+        label nLeaving = 0;
         for (Pathline& path : arrived)
         {
             const label celli = path.hint.cell;
             const bool waits = path.state == PathlineState::moving && celli >= 0
                                && !complex.complete(celli);
-            if (waits)
+            if (waits && rankOf(complex.globalCell(celli)) == messages_.rank())
+            {
+                path.state = PathlineState::lost; // nobody knows all around its cell
+                pathlines.append(path);
+            }
+            else if (waits)
             {
                 path.hint.cell = complex.globalCell(celli);
                 leaving[rankOf(path.hint.cell)].append(path);
@@ -123,9 +137,7 @@ void PstreamExchange::travel(
                 pathlines.append(path);
             }
         }
-        List<scalar> n(1, nLeaving);
-        sum(n);
-        if (n[0] == 0)
+        if (messages_.total(nLeaving) == 0)
         {
             return;
         }
@@ -219,7 +231,9 @@ ReconstructionResult PstreamExchange::gather(
 ) const
 {
     std::vector<Packet> pieces = messages_.toMaster(surfacePiece(local, complex));
-    return isMaster() ? mergedSurface(pieces) : ReconstructionResult();
+    ReconstructionResult whole;
+    onMaster([&] { whole = mergedSurface(pieces); });
+    return whole;
 }
 
 // Per rank what the master asks of it; returns the labels of the cells that this rank
@@ -271,17 +285,37 @@ std::shared_ptr<const FlowSnapshot> PstreamExchange::around(
     std::vector<Packet> packets = messages_.toMaster(
         cells.empty() ? Packet() : packedFractions(*snapshot, cells)
     );
-    if (!isMaster())
+    std::shared_ptr<const FlowSnapshot> result(snapshot);
+    onMaster(
+        [&]
+        {
+            auto assembled = assembledFractions(packets, complex);
+            if (assembled) // else there is no surface
+            {
+                assembled->time = snapshot->time;
+                result = assembled;
+            }
+        }
+    );
+    return result;
+}
+
+// What the master does alone; if it fails, all ranks throw.
+void PstreamExchange::onMaster(const std::function<void()>& work) const
+{
+    std::string failure;
+    if (isMaster())
     {
-        return snapshot;
+        try
+        {
+            work();
+        }
+        catch (const std::exception& caught)
+        {
+            failure = caught.what();
+        }
     }
-    auto assembled = assembledFractions(packets, complex);
-    if (!assembled)
-    {
-        return snapshot; // there is no surface
-    }
-    assembled->time = snapshot->time;
-    return assembled;
+    agree(failure);
 }
 
 } // namespace Foam::stability

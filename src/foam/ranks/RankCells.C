@@ -4,6 +4,7 @@
 #include "foam/ranks/RankCells.H"
 
 #include "Map.H"
+#include "foam/Failures.H"
 #include "foam/ranks/CellPackets.H"
 #include "emptyPolyPatch.H"
 #include "globalMeshData.H"
@@ -20,9 +21,15 @@ namespace Foam::stability
 namespace
 {
 
+// Not so the halves of a cyclic patch that are on two ranks.
+bool betweenRanks(const polyPatch& patch)
+{
+    return patch.type() == processorPolyPatch::typeName;
+}
+
 BoundaryKind kindOf(const polyPatch& patch)
 {
-    if (isA<processorPolyPatch>(patch))
+    if (betweenRanks(patch))
     {
         return BoundaryKind::beyond;
     }
@@ -58,8 +65,8 @@ CellComplexInput complexInput(const fvMesh& mesh)
     DynamicList<word> names;
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
-        const bool betweenRanks = isA<processorPolyPatch>(patch);
-        if (!betweenRanks)
+        const bool between = betweenRanks(patch);
+        if (!isA<processorPolyPatch>(patch))
         {
             names.append(patch.name());
         }
@@ -72,7 +79,7 @@ CellComplexInput complexInput(const fvMesh& mesh)
         for (label i = 0; i < patch.size(); ++i)
         {
             input.kinds[start + i] = kind;
-            input.patches[start + i] = betweenRanks ? -1 : patch.index();
+            input.patches[start + i] = between ? -1 : patch.index();
         }
     }
     input.patchNames = wordList(std::move(names));
@@ -180,10 +187,11 @@ private:
             addRim(blocks_[i], points);
         }
         std::vector<Packet> questions(messages_.nRanks());
+        const labelList sorted(points.sortedToc());
         for (label ranki = 0; ranki < messages_.nRanks(); ++ranki)
         {
             DynamicList<label> wanted;
-            for (const label pointi : points.sortedToc())
+            for (const label pointi : sorted)
             {
                 if (ranki != messages_.rank() && boxes_[ranki].contains(points[pointi]))
                 {
@@ -293,12 +301,16 @@ RankCells::RankCells(const fvMesh& mesh, const RankMessages& messages, label nRi
             all.own[celli] = cellNumbers_.isLocal(all.globalCells[celli]);
         }
     }
-    complex_ = std::make_shared<const CellComplex>(std::move(all));
+    messages.agree<BadInput>(failureOf(
+        [&] { complex_ = std::make_shared<const CellComplex>(std::move(all)); }
+    ));
 }
 
 CellComplexInput RankCells::ownPiece(const fvMesh& mesh) const
 {
-    CellComplexInput own(complexInput(mesh));
+    CellComplexInput own;
+    // A patch may have faces on some ranks only.
+    messages_.agree<BadInput>(failureOf([&] { own = complexInput(mesh); }));
     own.globalCells = globalNumbers(cellNumbers_);
     own.globalBoundaryFaces = globalNumbers(boundaryNumbers_);
     own.behind.setSize(own.globalBoundaryFaces.size(), -1);

@@ -93,6 +93,12 @@ std::vector<Packet> RankMessages::toAll(const Packet& packet) const
     return exchange(std::vector<Packet>(nRanks(), packet));
 }
 
+label RankMessages::total(label value) const
+{
+    reduce(value, sumOp<label>(), UPstream::msgType(), communicator_);
+    return value;
+}
+
 // Two rounds: where nothing failed, one number is all that is sent.
 std::string RankMessages::firstOf(const std::string& failure) const
 {

@@ -7,8 +7,6 @@
 #include "core/reconstruction/InterfaceOrder.H"
 
 #include <algorithm>
-#include <map>
-#include <tuple>
 
 namespace Foam::stability
 {

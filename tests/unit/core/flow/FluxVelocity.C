@@ -129,7 +129,10 @@ TEST(FluxVelocity, namesFluxesThatDoNotFit)
     scalarField fluxes(complex->nFaces(), 0.1);
     EXPECT_EQ(messageOf(*complex, fluxes), "");
     fluxes[7] = std::numeric_limits<scalar>::quiet_NaN();
-    EXPECT_EQ(messageOf(*complex, fluxes), "The flux is not finite at face 7.");
+    EXPECT_EQ(
+        messageOf(*complex, fluxes),
+        "The flux is not finite at " + textOf(complex->faceCentres()[7]) + "."
+    );
     fluxes.setSize(35);
     EXPECT_EQ(
         messageOf(*complex, fluxes), "The flux has 35 values, the mesh has 36 faces."
