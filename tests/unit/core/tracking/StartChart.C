@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace Foam;
 using namespace Foam::stability;
 using namespace Foam::stability::shapes;
@@ -16,6 +18,9 @@ namespace
 
 constexpr scalar cellSize = 0.2;
 constexpr scalar seam = 0.3; // [rad]
+
+// Points of a jittered seam lie beyond it: charts are to hold them.
+const vector2D margin(0.05, 0.05);
 
 InterfaceMesh cylinder(label nPhi, scalar jitter)
 {
@@ -41,7 +46,7 @@ InterfaceMesh cylinder(label nPhi, scalar jitter)
         const scalar roughly = 8 * mesh.parameters[i].x();
         scalar phi = std::atan2(x.y(), x.x()) - seam;
         phi += 2 * M_PI * std::round((roughly - phi) / (2 * M_PI));
-        mesh.parameters[i] = vector2D(phi / 8, x.z() / 8);
+        mesh.parameters[i] = vector2D(phi / 8, x.z() / 8) + margin;
     }
     return mesh;
 }
@@ -49,7 +54,7 @@ InterfaceMesh cylinder(label nPhi, scalar jitter)
 // Of p from where the origin is, in metres.
 scalar errorOf(const vector2D& p, const point& origin)
 {
-    return mag(cylinderPoint(p, seam) - origin);
+    return mag(cylinderPoint(p - margin, seam) - origin);
 }
 
 } // namespace
@@ -155,4 +160,32 @@ TEST(StartChart, withoutASurfaceNothingChanges)
     EXPECT_TRUE(chart.empty());
     chart.readOff(mesh);
     EXPECT_EQ(mesh.parameters, given.parameters);
+}
+
+TEST(StartChart, staysInTheUnitSquare)
+{
+    const auto atTheEdge = [](label nPhi, scalar jitter)
+    {
+        InterfaceMesh mesh = cylinder(nPhi, jitter);
+        for (vector2D& p : mesh.parameters)
+        {
+            p.x() -= margin.x();
+        }
+        return mesh;
+    };
+    const StartChart chart(atTheEdge(40, 0));
+    InterfaceMesh mesh = atTheEdge(37, 0.05);
+    mesh.origins = mesh.points;
+    EXPECT_LT(
+        std::min_element(
+            mesh.parameters.begin(), mesh.parameters.end(),
+            [](const vector2D& a, const vector2D& b) { return a.x() < b.x(); }
+        )->x(),
+        0
+    );
+    chart.readOff(mesh);
+    for (const vector2D& p : mesh.parameters)
+    {
+        EXPECT_GE(p.x(), 0);
+    }
 }
