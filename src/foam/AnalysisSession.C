@@ -4,7 +4,7 @@
 #include "foam/AnalysisSession.H"
 
 #include "core/Errors.H"
-#include "foam/Busy.H"
+#include "core/Busy.H"
 #include "foam/Failures.H"
 #include "foam/ranks/PstreamExchange.H"
 #include "fvMesh.H"

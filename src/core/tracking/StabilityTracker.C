@@ -3,6 +3,7 @@
 
 #include "core/tracking/StabilityTracker.H"
 
+#include "core/Busy.H"
 #include "core/Errors.H"
 #include "core/analysis/ThinSheets.H"
 #include "core/parametrization/Flattening.H"
@@ -10,7 +11,6 @@
 #include "core/reconstruction/InterfaceMotion.H"
 #include "core/reconstruction/NoiseFloor.H"
 
-#include <chrono>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -20,23 +20,6 @@ namespace Foam::stability
 
 namespace
 {
-
-// Adds the seconds of its life to a counter.
-class Stopwatch
-{
-public:
-    explicit Stopwatch(scalar& seconds) : seconds_(seconds) {}
-    ~Stopwatch()
-    {
-        const std::chrono::duration<scalar> life = Clock::now() - start_;
-        seconds_ += life.count();
-    }
-
-private:
-    using Clock = std::chrono::steady_clock;
-    scalar& seconds_;
-    Clock::time_point start_ = Clock::now();
-};
 
 void add(IntegrationCounts& sum, const IntegrationCounts& part)
 {
@@ -183,12 +166,12 @@ void StabilityTracker::advance(std::shared_ptr<const FlowSnapshot> snapshot)
     );
     const VelocityInterval interval(latestVelocity_, velocity);
     {
-        Stopwatch watch(timings_.advection);
+        const Busy watch(timings_.advection);
         together([&] { enter(Phase::advection); });
         add(surfaceCounts_, advanceAll(pathlines_, interval));
     }
     {
-        Stopwatch watch(timings_.particles);
+        const Busy watch(timings_.particles);
         together([&] { enter(Phase::particles); });
         add(particleCounts_, advanceAll(particlePaths_, interval));
     }
@@ -231,7 +214,7 @@ scalar StabilityTracker::displacement()
 
 StabilityTracker::SmallScales StabilityTracker::smallScales(const InterfaceMesh& mesh)
 {
-    Stopwatch watch(timings_.matching);
+    const Busy watch(timings_.matching);
     const labelList components(pointComponents(mesh));
     SmallScales scales;
     scales.thin = thinPoints(mesh, options_.nThreads);
@@ -282,7 +265,7 @@ void StabilityTracker::startSurface(const InterfaceMesh& mesh)
 {
     {
         enter(Phase::parametrization);
-        Stopwatch watch(timings_.parametrization);
+        const Busy watch(timings_.parametrization);
         result_.parametrization = parametrize(mesh, options_.parametrization);
     }
     InterfaceMesh& surface = result_.parametrization->surface;
@@ -302,7 +285,7 @@ ReconstructionResult StabilityTracker::extractWhole(const Reconstruction& recons
 
 ReconstructionResult StabilityTracker::extract()
 {
-    Stopwatch watch(timings_.reconstruction);
+    const Busy watch(timings_.reconstruction);
     together([&] { enter(Phase::reconstruction); });
     ReconstructionResult result(extractWhole(*reconstructions_[present()]));
     result_.statistics.noiseFloor = noiseFloor(
@@ -377,14 +360,14 @@ void StabilityTracker::compare(const InterfaceMesh& extracted)
     List<Match> onTimeSurface;
     {
         enter(Phase::matching);
-        Stopwatch watch(timings_.matching);
+        const Busy watch(timings_.matching);
         const MatchTarget interfaceTarget(mesh, now.matching);
         onTimeSurface = matchPoints(timeSurface_, interfaceTarget, now.matching);
         onInterface = matchPoints(mesh, target, now.matching);
     }
     {
         enter(Phase::transfer);
-        Stopwatch watch(timings_.transfer);
+        const Busy watch(timings_.transfer);
         result_.transfer = transfer(mesh, onInterface, target, now.transfer, chart_);
     }
     const CellComplex& complex = *site_->complex;
@@ -427,7 +410,7 @@ void StabilityTracker::seedParticles()
 void StabilityTracker::takeStock(const ReconstructionResult& extracted)
 {
     enter(Phase::statistics);
-    Stopwatch watch(timings_.statistics);
+    const Busy watch(timings_.statistics);
     Statistics& statistics = result_.statistics;
     statistics.time = latest_->time;
     statistics.interval = latest_->time - lastClassified_;

@@ -3,6 +3,7 @@
 
 #include "foam/ranks/PstreamExchange.H"
 
+#include "foam/Failures.H"
 #include "foam/ranks/CellPackets.H"
 #include "foam/ranks/SurfaceMerge.H"
 
@@ -99,20 +100,10 @@ void PstreamExchange::travel(
     constexpr label maxRounds = 10000;
     for (label round = 0;; ++round)
     {
-        std::string failure;
-        if (round == maxRounds)
-        {
-            failure = "A pathline travels between ranks without end.";
-        }
-        try
-        {
-            advance(arrived);
-        }
-        catch (const std::exception& caught)
-        {
-            failure = caught.what();
-        }
-        agree(failure);
+        agree(
+            round < maxRounds ? failureOf([&] { advance(arrived); })
+                              : "A pathline travels between ranks without end."
+        );
 
         std::vector<DynamicList<Pathline>> leaving(nRanks());
         label nLeaving = 0;
@@ -141,25 +132,14 @@ void PstreamExchange::travel(
         {
             return;
         }
-        std::vector<Packet> packets(nRanks());
-        for (label ranki = 0; ranki < nRanks(); ++ranki)
-        {
-            if (!leaving[ranki].empty())
-            {
-                packets[ranki].putList(leaving[ranki]);
-            }
-        }
         arrived.clear();
-        for (Packet& packet : messages_.exchange(std::move(packets)))
+        for (const List<Pathline>& paths : messages_.exchangeLists(leaving))
         {
-            if (!packet.empty())
+            for (Pathline path : paths)
             {
-                for (Pathline& path : packet.getList<Pathline>())
-                {
-                    path.hint.cell = complex.localCell(path.hint.cell);
-                    path.earlierHint = path.hint;
-                    arrived.append(path);
-                }
+                path.hint.cell = complex.localCell(path.hint.cell);
+                path.earlierHint = path.hint;
+                arrived.append(path);
             }
         }
     }
@@ -203,21 +183,10 @@ void PstreamExchange::disperse(
             path
         );
     }
-    std::vector<Packet> packets(nRanks());
-    for (label ranki = 0; ranki < nRanks(); ++ranki)
-    {
-        if (!there[ranki].empty())
-        {
-            packets[ranki].putList(there[ranki]);
-        }
-    }
     pathlines.clear();
-    for (Packet& packet : messages_.exchange(std::move(packets)))
+    for (const List<Pathline>& paths : messages_.exchangeLists(there))
     {
-        if (!packet.empty())
-        {
-            pathlines.append(packet.getList<Pathline>());
-        }
+        pathlines.append(paths);
     }
     for (Pathline& path : pathlines)
     {
@@ -250,19 +219,10 @@ labelList PstreamExchange::askFor(
             requests[rankOf(request.cell)].append(request);
         }
     }
-    std::vector<Packet> packets(nRanks());
-    for (label ranki = 0; ranki < nRanks(); ++ranki)
-    {
-        if (!requests[ranki].empty())
-        {
-            packets[ranki].putList(requests[ranki]);
-        }
-    }
-    packets = messages_.exchange(std::move(packets));
     std::map<label, labelHashSet> byRings;
-    if (!packets[0].empty())
+    for (const List<CellRequest>& asked : messages_.exchangeLists(requests))
     {
-        for (const CellRequest& request : packets[0].getList<CellRequest>())
+        for (const CellRequest& request : asked)
         {
             byRings[request.nRings].insert(complex.localCell(request.cell));
         }
@@ -303,19 +263,7 @@ std::shared_ptr<const FlowSnapshot> PstreamExchange::around(
 // What the master does alone; if it fails, all ranks throw.
 void PstreamExchange::onMaster(const std::function<void()>& work) const
 {
-    std::string failure;
-    if (isMaster())
-    {
-        try
-        {
-            work();
-        }
-        catch (const std::exception& caught)
-        {
-            failure = caught.what();
-        }
-    }
-    agree(failure);
+    agree(isMaster() ? failureOf(work) : std::string());
 }
 
 } // namespace Foam::stability

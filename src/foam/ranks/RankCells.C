@@ -85,9 +85,10 @@ CellComplexInput complexInput(const fvMesh& mesh)
     return input;
 }
 
-WholeMesh wholeOf(const CellComplexInput& own, const RankMessages& messages)
+WholeMesh wholeOf(
+    const CellComplexInput& own, const Rows& cellFaces, const RankMessages& messages
+)
 {
-    const Rows cellFaces = facesOfCells(own);
     label nTetrahedra = 0;
     for (label celli = 0; celli < cellFaces.size(); ++celli)
     {
@@ -130,10 +131,11 @@ RankCells::RankCells(const fvMesh& mesh, const RankMessages& messages, label nRi
     CellComplexInput all(
         assemble(fetchRings(own, messages, alone ? 0 : nRings), own.patchNames)
     );
-    all.whole = wholeOf(own, messages);
+    const Rows cellFaces(facesOfCells(own));
+    all.whole = wholeOf(own, cellFaces, messages);
     cells_ = sourceOf(all.globalCells, cellNumbers_);
     boundaryFaces_ = sourceOf(all.globalBoundaryFaces, boundaryNumbers_);
-    matchFaces(own, all);
+    matchFaces(own, cellFaces, all);
     if (alone)
     {
         all.globalCells.clear(); // numbers of its own will do
@@ -186,7 +188,6 @@ RankCells::sourceOf(const labelList& global, const globalIndex& numbers) const
     Source source;
     source.fromOwn.setSize(global.size(), -1);
     source.received.resize(nRanks);
-    source.sent.resize(nRanks);
     std::vector<DynamicList<label>> wanted(nRanks), places(nRanks);
     forAll(global, i)
     {
@@ -201,29 +202,18 @@ RankCells::sourceOf(const labelList& global, const globalIndex& numbers) const
             places[ranki].append(i);
         }
     }
-    std::vector<Packet> packets(nRanks);
+    source.sent = messages_.exchangeLists(wanted);
     for (label ranki = 0; ranki < nRanks; ++ranki)
     {
         source.received[ranki] = labelList(std::move(places[ranki]));
-        if (!wanted[ranki].empty())
-        {
-            packets[ranki].putList(wanted[ranki]);
-        }
-    }
-    packets = messages_.exchange(std::move(packets));
-    for (label ranki = 0; ranki < nRanks; ++ranki)
-    {
-        if (!packets[ranki].empty())
-        {
-            source.sent[ranki] = packets[ranki].getList<label>();
-        }
     }
     return source;
 }
 
-void RankCells::matchFaces(const CellComplexInput& own, const CellComplexInput& all)
+void RankCells::matchFaces(
+    const CellComplexInput& own, const Rows& cellFaces, const CellComplexInput& all
+)
 {
-    const Rows cellFaces = facesOfCells(own);
     const auto pointsOf = [](const face& f, const labelList& numbers)
     {
         labelList points(f.size());
