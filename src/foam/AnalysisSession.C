@@ -6,7 +6,6 @@
 #include "core/Errors.H"
 #include "core/Busy.H"
 #include "foam/Failures.H"
-#include "foam/ranks/PstreamExchange.H"
 #include "fvMesh.H"
 
 #include <cmath>
@@ -49,16 +48,6 @@ label nRings(const Controls& controls)
         n = max(n, needed(later.reconstruction));
     }
     return n;
-}
-
-std::unique_ptr<const Exchange>
-exchangeOf(const RankMessages& messages, const fvMesh& mesh)
-{
-    if (messages.nRanks() == 1)
-    {
-        return std::make_unique<SerialExchange>();
-    }
-    return std::make_unique<PstreamExchange>(messages, mesh.nCells());
 }
 
 [[noreturn]] void refuse(const std::string& what)
@@ -104,8 +93,7 @@ AnalysisSession::AnalysisSession(
       flux_(mesh, controls.phi, controls.velocity, source),
       surfaces_(mesh.time(), controls.files),
       snapshots_(mesh, messages_, nRings(controls)),
-      exchange_(exchangeOf(messages_, mesh)),
-      tracker_(observed(controls.tracker), *exchange_),
+      tracker_(observed(controls.tracker), messages_),
       seconds_(phaseNames().size(), 0), secondsBefore_(seconds_)
 {
     if (messages_.nRanks() > 1)

@@ -138,7 +138,7 @@ CellComplex::CellComplex(CellComplexInput input) : input_(std::move(input))
     }
     if (!input_.whole)
     {
-        input_.whole = WholeMesh{bounds_, shareOfTetrahedra(cellFaces_)};
+        input_.whole = WholeMesh{bounds_, shareOfTetrahedra(cellFaces_), {}};
     }
 }
 

@@ -102,49 +102,19 @@ void StabilityTracker::start(std::shared_ptr<const FlowSnapshot> snapshot)
 
 void StabilityTracker::together(const std::function<void()>& work) const
 {
-    if (exchange_.nRanks() == 1)
-    {
-        work();
-        return;
-    }
-    std::string failure;
-    try
-    {
-        work();
-    }
-    catch (const std::exception& caught)
-    {
-        failure = caught.what();
-    }
-    exchange_.agree(failure);
+    stability::together(exchange_, work);
 }
 
 IntegrationCounts StabilityTracker::advanceAll(
     DynamicList<Pathline>& paths, const Velocity& velocity
 ) const
 {
-    IntegrationCounts counts;
-    exchange_.travel(
-        paths, *latest_->complex,
-        [&](UList<Pathline>& here)
-        { add(counts, stability::advance(here, velocity, options_.integration)); }
-    );
-    return counts;
+    return stability::advance(paths, velocity, options_.integration);
 }
 
 IntegrationCounts StabilityTracker::sumOf(const IntegrationCounts& here) const
 {
-    List<scalar> values{
-        scalar(here.nSteps), scalar(here.nRejected), scalar(here.nLeft),
-        scalar(here.nStuck), scalar(here.nLost)};
-    exchange_.sum(values);
-    IntegrationCounts all;
-    all.nSteps = label(values[0]);
-    all.nRejected = label(values[1]);
-    all.nLeft = label(values[2]);
-    all.nStuck = label(values[3]);
-    all.nLost = label(values[4]);
-    return all;
+    return here;
 }
 
 void StabilityTracker::advance(std::shared_ptr<const FlowSnapshot> snapshot)
@@ -208,7 +178,6 @@ scalar StabilityTracker::displacement()
             sums[1] += path.weight;
         }
     }
-    exchange_.sum(sums);
     return sums[1] > 0 ? std::sqrt(sums[0] / sums[1]) : 0;
 }
 
@@ -280,7 +249,8 @@ ReconstructionResult StabilityTracker::extractWhole(const Reconstruction& recons
 {
     ReconstructionResult local;
     together([&] { local = reconstruction.extract(*latest_); });
-    return exchange_.gather(local, *latest_->complex);
+    local.mesh.triangleCells.clear();
+    return local;
 }
 
 ReconstructionResult StabilityTracker::extract()
@@ -300,31 +270,8 @@ ReconstructionResult StabilityTracker::extract()
 // the rank that has the whole of M.
 void StabilityTracker::bringTogether(InterfaceMesh& extracted)
 {
-    constexpr label nextTo = 1, aroundSmall = 6; // rings
-    exchange_.collect(pathlines_, *latest_->complex);
-    exchange_.collect(particlePaths_, *latest_->complex);
     particles_.setPaths(particlePaths_);
-
-    const auto wanted = [&]
-    {
-        DynamicList<CellRequest> cells;
-        const List<bool> small =
-            pointsOfSmallPieces(extracted, pointComponents(extracted));
-        forAll(extracted.cells, pointi)
-        {
-            cells.append(CellRequest{
-                extracted.cells[pointi], small[pointi] ? aroundSmall : nextTo});
-        }
-        for (const Pathline& path : pathlines_)
-        {
-            if (path.hint.cell >= 0)
-            {
-                cells.append(CellRequest{path.hint.cell, nextTo});
-            }
-        }
-        return cells;
-    };
-    site_ = exchange_.around(latest_, wanted);
+    site_ = latest_;
     for (label& celli : extracted.cells)
     {
         celli = site_->complex->localCell(celli);
@@ -335,8 +282,6 @@ void StabilityTracker::bringTogether(InterfaceMesh& extracted)
 void StabilityTracker::sendOut()
 {
     particlePaths_ = particles_.paths();
-    exchange_.disperse(pathlines_, *latest_->complex);
-    exchange_.disperse(particlePaths_, *latest_->complex);
     site_.reset();
 }
 

@@ -99,14 +99,14 @@ WholeMesh wholeOf(
     packet.put(nTetrahedra);
     packet.put(cellFaces.size());
     WholeMesh whole;
-    scalar nCells = 0;
+    whole.firstCells = labelList(1, label(0));
     for (Packet& of : messages.toAll(packet))
     {
         whole.bounds.add(of.get<boundBox>());
         whole.tetrahedra += of.get<label>();
-        nCells += of.get<label>();
+        whole.firstCells.append(whole.firstCells.last() + of.get<label>());
     }
-    whole.tetrahedra /= max(nCells, scalar(1));
+    whole.tetrahedra /= max(whole.firstCells.last(), label(1));
     return whole;
 }
 

@@ -74,25 +74,6 @@ std::vector<Packet> RankMessages::exchange(std::vector<Packet> toRanks) const
     return fromRanks;
 }
 
-std::vector<Packet> RankMessages::toMaster(Packet packet) const
-{
-    std::vector<Packet> toRanks(nRanks());
-    toRanks[0] = std::move(packet);
-    return exchange(std::move(toRanks));
-}
-
-Packet RankMessages::fromMaster(Packet packet) const
-{
-    return std::move(exchange(
-        std::vector<Packet>(nRanks(), rank() == 0 ? std::move(packet) : Packet())
-    )[0]);
-}
-
-std::vector<Packet> RankMessages::toAll(const Packet& packet) const
-{
-    return exchange(std::vector<Packet>(nRanks(), packet));
-}
-
 label RankMessages::total(label value) const
 {
     reduce(value, sumOp<label>(), UPstream::msgType(), communicator_);
