@@ -93,8 +93,8 @@ AnalysisSession::AnalysisSession(
       flux_(mesh, controls.phi, controls.velocity, source),
       surfaces_(mesh.time(), controls.files),
       snapshots_(mesh, messages_, nRings(controls)),
-      tracker_(observed(controls.tracker), messages_),
-      seconds_(phaseNames().size(), 0), secondsBefore_(seconds_)
+      tracker_(observed(controls.tracker), messages_), seconds_(phaseNames().size(), 0),
+      secondsBefore_(seconds_)
 {
     if (messages_.nRanks() > 1)
     {
@@ -326,15 +326,6 @@ void AnalysisSession::classify()
             );
         }
     );
-    share(statistics_);
-}
-
-// What the master found.
-void AnalysisSession::share(Statistics& statistics) const
-{
-    Packet packet;
-    packet.put(statistics);
-    statistics = messages_.fromMaster(std::move(packet)).get<Statistics>();
 }
 
 void AnalysisSession::writeTables()
@@ -360,34 +351,41 @@ void AnalysisSession::writeFiles()
     const Busy busy(busySeconds_);
     filesWritten_ = true;
     together([&] { enter(Phase::writing); });
-    onMaster([&] { writeTurns(); });
+    writeTurns();
 }
 
+// What is written is brought together on the master.
 void AnalysisSession::writeTurns()
 {
-    if (!folder_)
-    {
-        return;
-    }
     const auto itsTurn = [&](label interval)
-    { return interval > 0 && latest_->index % interval == 0; };
+    { return controls_.writeToFile && interval > 0 && latest_->index % interval == 0; };
     {
         const Busy writing(writingSeconds_);
         if (itsTurn(controls_.surfaceInterval))
         {
-            folder_->writeSurfaces(*latest_);
+            const ClassifiedSurface interface(gathered(latest_->interface, messages_));
+            const ClassifiedSurface timeSurface(
+                gathered(latest_->timeSurface, messages_)
+            );
+            onMaster([&] { folder_->writeSurfaces(interface, timeSurface, *latest_); });
         }
         if (itsTurn(controls_.particleInterval))
         {
-            folder_->writeParticles(tracker_.particles(), *latest_);
+            const List<InstabilityParticle> all(tracker_.particles().gathered(messages_)
+            );
+            onMaster([&] { folder_->writeParticles(all, *latest_); });
         }
     }
-    writeTimings();
+    onMaster([&] { writeTimings(); });
 }
 
 // The row of the latest classified time, anew where its files came later.
 void AnalysisSession::writeTimings()
 {
+    if (!folder_)
+    {
+        return;
+    }
     const TrackerTimings& t = tracker_.timings();
     seconds_ = {readingSeconds_, t.reconstruction, t.parametrization,
                 t.advection,     t.particles,      t.matching,

@@ -186,15 +186,19 @@ void ResultFolder::writeFamily(
     replaceFile(path_ / (family.name + ".vtp.series"), text + "  ]\n}\n");
 }
 
-void ResultFolder::writeSurfaces(const Classification& c)
+void ResultFolder::writeSurfaces(
+    const ClassifiedSurface& interface, const ClassifiedSurface& time,
+    const Classification& c
+)
 {
     open();
-    writeFamily(interfaces_, interfaceSurface(c), c.index);
-    writeFamily(timeSurfaces_, timeSurface(c), c.index);
+    const scalar now = c.statistics.time;
+    writeFamily(interfaces_, interfaceSurface(interface, now), c.index);
+    writeFamily(timeSurfaces_, timeSurface(time, now), c.index);
 }
 
 void ResultFolder::writeParticles(
-    const InstabilityParticles& particles, const Classification& c
+    const UList<InstabilityParticle>& particles, const Classification& c
 )
 {
     open();

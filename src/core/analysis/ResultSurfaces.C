@@ -3,6 +3,8 @@
 
 #include "core/analysis/ResultSurfaces.H"
 
+#include "core/parametrization/ChartPacking.H"
+
 namespace Foam::stability
 {
 
@@ -165,11 +167,10 @@ surface(const ClassifiedSurface& from, const SplitPoints& split, scalar time)
 
 } // namespace
 
-ResultSurface interfaceSurface(const Classification& classification)
+ResultSurface interfaceSurface(const ClassifiedSurface& from, scalar time)
 {
-    const ClassifiedSurface& from = classification.interface;
     const SplitPoints points(split(from.mesh, displayCorners(from)));
-    ResultSurface result(surface(from, points, classification.statistics.time));
+    ResultSurface result(surface(from, points, time));
     const labelList& vertex = points.vertex;
 
     PointArray texture{"TCoords", 2, false, {}};
@@ -190,11 +191,10 @@ ResultSurface interfaceSurface(const Classification& classification)
     return result;
 }
 
-ResultSurface timeSurface(const Classification& classification)
+ResultSurface timeSurface(const ClassifiedSurface& from, scalar time)
 {
-    const ClassifiedSurface& from = classification.timeSurface;
     const SplitPoints points(split(from.mesh, from.mesh.corners));
-    ResultSurface result(surface(from, points, classification.statistics.time));
+    ResultSurface result(surface(from, points, time));
     result.arrays.push_back(scalars(
         "nearWall", true, points.vertex,
         [&](label i) { return label(from.nearWall[i]); }
@@ -202,11 +202,10 @@ ResultSurface timeSurface(const Classification& classification)
     return result;
 }
 
-ResultSurface particleCloud(const InstabilityParticles& particles, scalar time)
+ResultSurface particleCloud(const UList<InstabilityParticle>& all, scalar time)
 {
     ResultSurface result;
     result.time = time;
-    const UList<InstabilityParticle>& all = particles.all();
     labelList order(identity(all.size()));
     result.points.setSize(all.size());
     pointField origins(all.size());

@@ -44,15 +44,6 @@ struct Piece
 
 using Pieces = std::vector<Piece>; // per component
 
-// What no fill by alpha makes smaller than the limit need not be filled: an
-// isosurface encloses too little rather than too much.
-bool mayBeSubGrid(const Piece& piece)
-{
-    constexpr scalar largest = 2 * thinnestResolved;
-    return piece.closed && !piece.points.empty()
-           && radiusOf(mag(piece.enclosed.volume)) < largest * piece.cellSize;
-}
-
 // Tetrahedra from the first point of each piece, against round-off far from home.
 void addEnclosed(
     const InterfaceMesh& mesh, const UList<label>& components, Pieces& pieces
@@ -128,7 +119,8 @@ public:
         for (std::size_t i = 0; i < pieces_.size(); ++i)
         {
             const Piece& piece = pieces_[i];
-            if (mayBeSubGrid(piece))
+            if (piece.closed && !piece.points.empty()
+                && mayBeSubGrid(piece.enclosed.volume, piece.cellSize))
             {
                 const Droplet droplet = dropletOf(piece, label(i));
                 if (droplet.radius < thinnestResolved)
@@ -244,6 +236,12 @@ private:
 
 } // namespace
 
+bool mayBeSubGrid(scalar volume, scalar cellSize)
+{
+    constexpr scalar largest = 2 * thinnestResolved;
+    return radiusOf(mag(volume)) < largest * cellSize;
+}
+
 std::vector<std::string> Droplet::columns()
 {
     return {"Time",      "component", "bubble",    "radius", "volume",
@@ -271,40 +269,6 @@ std::vector<Droplet> subGridDroplets(
 {
     const Pieces pieces(piecesOf(mesh, components));
     return DropletSearch(pieces, mesh, components, snapshot).run();
-}
-
-List<bool>
-pointsOfSmallPieces(const InterfaceMesh& mesh, const UList<label>& components)
-{
-    const Pieces pieces(piecesOf(mesh, components));
-    List<bool> result(mesh.points.size(), false);
-    for (const Piece& piece : pieces)
-    {
-        if (mayBeSubGrid(piece))
-        {
-            for (const label pointi : piece.points)
-            {
-                result[pointi] = true;
-            }
-        }
-    }
-    return result;
-}
-
-List<bool>
-subGridPoints(const UList<label>& components, const std::vector<Droplet>& droplets)
-{
-    List<bool> result(components.size(), false);
-    forAll(components, pointi)
-    {
-        const auto at = std::lower_bound(
-            droplets.begin(), droplets.end(), components[pointi],
-            [](const Droplet& droplet, label component)
-            { return droplet.component < component; }
-        );
-        result[pointi] = at != droplets.end() && at->component == components[pointi];
-    }
-    return result;
 }
 
 } // namespace Foam::stability

@@ -290,6 +290,17 @@ bool advance(
     return Integration(line, velocity, options, counts).run();
 }
 
+IntegrationCounts& IntegrationCounts::operator+=(const IntegrationCounts& part)
+{
+    nSteps += part.nSteps;
+    nRejected += part.nRejected;
+    nLeft += part.nLeft;
+    nStuck += part.nStuck;
+    nLost += part.nLost;
+    nElsewhere += part.nElsewhere;
+    return *this;
+}
+
 IntegrationCounts advance(
     UList<Pathline>& lines, const Velocity& velocity, const IntegrationOptions& options
 )
@@ -306,12 +317,7 @@ IntegrationCounts advance(
     IntegrationCounts total;
     for (const IntegrationCounts& one : counts)
     {
-        total.nSteps += one.nSteps;
-        total.nRejected += one.nRejected;
-        total.nLeft += one.nLeft;
-        total.nStuck += one.nStuck;
-        total.nLost += one.nLost;
-        total.nElsewhere += one.nElsewhere;
+        total += one;
     }
     return total;
 }

@@ -107,8 +107,8 @@ private:
 
 // Lower left corners at a scale, the tallest first; false where they do not fit.
 bool place(
-    const std::vector<vector2D>& sizes, const labelList& order, scalar scale,
-    scalar gutter, std::vector<vector2D>& corners
+    const List<vector2D>& sizes, const labelList& order, scalar scale, scalar gutter,
+    List<vector2D>& corners
 )
 {
     Skyline skyline(gutter);
@@ -123,7 +123,19 @@ bool place(
     return true;
 }
 
-// By a quarter turn where the chart lies rather than stands.
+labelList tallestFirst(const List<vector2D>& sizes)
+{
+    labelList order(sizes.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(
+        order.begin(), order.end(),
+        [&](label i, label j) { return sizes[i].y() > sizes[j].y(); }
+    );
+    return order;
+}
+
+} // namespace
+
 List<vector2D> upright(const List<vector2D>& chart)
 {
     const vector2D size = boxOf(chart).size();
@@ -139,45 +151,31 @@ List<vector2D> upright(const List<vector2D>& chart)
     return turned;
 }
 
-labelList tallestFirst(const std::vector<vector2D>& sizes)
+vector2D boxSize(const List<vector2D>& chart)
 {
-    labelList order(sizes.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(
-        order.begin(), order.end(),
-        [&](label i, label j) { return sizes[i].y() > sizes[j].y(); }
-    );
-    return order;
+    return chart.empty() ? vector2D(0, 0) : boxOf(chart).size();
 }
 
-} // namespace
-
-PackingResult packCharts(const List<List<vector2D>>& charts, scalar gutter)
+BoxPacking packBoxes(const List<vector2D>& sizes, scalar gutter)
 {
-    PackingResult result;
-    result.charts.setSize(charts.size());
-    std::vector<vector2D> sizes(charts.size());
-    std::vector<vector2D> lows(charts.size());
+    BoxPacking result;
     scalar area = 0;
     scalar longest = 0;
-    forAll(charts, i)
+    for (const vector2D& size : sizes)
     {
-        result.charts[i] = upright(charts[i]);
-        const Box box = boxOf(result.charts[i]);
-        sizes[i] = charts[i].empty() ? vector2D(0, 0) : box.size();
-        lows[i] = box.low;
-        area += sizes[i].x() * sizes[i].y();
-        longest = std::max(longest, sizes[i].y());
+        area += size.x() * size.y();
+        longest = std::max(longest, size.y());
     }
-    if (!(longest > 0))
+    result.corners.setSize(sizes.size(), vector2D(0, 0));
+    result.placed = longest > 0;
+    if (!result.placed)
     {
         return result;
     }
-    gutter = std::min(gutter, 0.25 / std::sqrt(scalar(charts.size())));
+    gutter = std::min(gutter, 0.25 / std::sqrt(scalar(sizes.size())));
 
     const labelList order = tallestFirst(sizes);
-    std::vector<vector2D> corners(charts.size());
-    std::vector<vector2D> trial(charts.size());
+    List<vector2D> trial(sizes.size());
     scalar fits = 0;
     scalar tooLarge = 1 / longest;
     if (area > 0)
@@ -190,7 +188,7 @@ PackingResult packCharts(const List<List<vector2D>>& charts, scalar gutter)
         if (place(sizes, order, scale, gutter, trial))
         {
             fits = scale;
-            corners.swap(trial);
+            result.corners.swap(trial);
         }
         else
         {
@@ -198,11 +196,37 @@ PackingResult packCharts(const List<List<vector2D>>& charts, scalar gutter)
         }
     }
     result.scale = fits;
+    return result;
+}
+
+List<vector2D> moved(const List<vector2D>& chart, const vector2D& corner, scalar scale)
+{
+    const vector2D low = boxOf(chart).low;
+    List<vector2D> result(chart.size());
+    forAll(chart, i)
+    {
+        result[i] = corner + scale * (chart[i] - low);
+    }
+    return result;
+}
+
+PackingResult packCharts(const List<List<vector2D>>& charts, scalar gutter)
+{
+    PackingResult result;
+    result.charts.setSize(charts.size());
+    List<vector2D> sizes(charts.size());
     forAll(charts, i)
     {
-        for (vector2D& p : result.charts[i])
+        result.charts[i] = upright(charts[i]);
+        sizes[i] = boxSize(result.charts[i]);
+    }
+    const BoxPacking boxes(packBoxes(sizes, gutter));
+    result.scale = boxes.scale;
+    forAll(charts, i)
+    {
+        if (boxes.placed)
         {
-            p = corners[i] + fits * (p - lows[i]);
+            result.charts[i] = moved(result.charts[i], boxes.corners[i], boxes.scale);
         }
     }
     return result;

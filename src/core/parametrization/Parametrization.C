@@ -4,8 +4,13 @@
 #include "core/parametrization/Parametrization.H"
 
 #include "core/parametrization/Chart.H"
+#include "core/parametrization/ChartPacking.H"
 #include "core/parametrization/Patches.H"
 #include "core/parametrization/Remeshing.H"
+#include "core/ranks/ExactSum.H"
+
+#include <algorithm>
+#include <numeric>
 
 namespace Foam::stability
 {
@@ -18,6 +23,8 @@ struct Piece
 {
     RemeshingResult copy;
     Chart chart;
+    List<vector2D> parameters;
+    label number = 0; // in the order of all ranks' components
 };
 
 scalar meanCellSize(const InterfaceMesh& mesh, const Patch& patch)
@@ -89,10 +96,8 @@ void addTriangles(
     }
 }
 
-InterfaceMesh join(
-    const InterfaceMesh& mesh, const List<Patch>& patches, const List<Piece>& pieces,
-    const List<List<vector2D>>& charts
-)
+SurfacePiece
+joined(const InterfaceMesh& mesh, const List<Patch>& patches, const List<Piece>& pieces)
 {
     label nPoints = 0, nTriangles = 0, nParameters = 0;
     for (const Piece& piece : pieces)
@@ -101,7 +106,9 @@ InterfaceMesh join(
         nTriangles += piece.copy.surface.triangles.size();
         nParameters += piece.chart.parameters.size();
     }
-    InterfaceMesh surface;
+    SurfacePiece result;
+    result.joined = false;
+    InterfaceMesh& surface = result.mesh;
     sizeLists(surface, nPoints, nTriangles, nParameters);
 
     label startPoint = 0, startTriangle = 0, startParameter = 0;
@@ -112,48 +119,165 @@ InterfaceMesh join(
         addTriangles(
             patches[i], piece, startTriangle, startPoint, startParameter, surface
         );
-        forAll(charts[i], vertex)
+        forAll(piece.parameters, vertex)
         {
-            surface.parameters[startParameter + vertex] = charts[i][vertex];
+            surface.parameters[startParameter + vertex] = piece.parameters[vertex];
+        }
+        forAll(piece.copy.surface.triangles, j)
+        {
+            result.keys.append(TriangleKey{point(piece.number, 0, 0), j});
         }
         startPoint += piece.copy.surface.points.size();
         startTriangle += piece.copy.surface.triangles.size();
         startParameter += piece.chart.parameters.size();
     }
     surface.origins = surface.points;
-    return surface;
+    result.seeds = surface.points;
+    return result;
+}
+
+Piece flattened(
+    const InterfaceMesh& mesh, const Patch& patch, const ParametrizationOptions& options
+)
+{
+    Piece piece;
+    piece.copy = remesh(patch.surface, options.edgeLength * meanCellSize(mesh, patch));
+    piece.chart = makeChart(piece.copy.surface, *Flattening::New(options.flattening));
+    piece.copy.surface.points = piece.chart.points;
+    piece.parameters = upright(piece.chart.parameters);
+    return piece;
+}
+
+// A chart as the rank that packs them sees it, and what it says of it.
+struct ChartBox
+{
+    TriangleKey lowest;
+    vector2D size; // [m]
+};
+
+struct ChartPlace
+{
+    label number;
+    vector2D corner;
+};
+
+// On the master: per rank the places of its charts, and the scale of all.
+scalar placeAll(
+    const std::vector<List<ChartBox>>& boxes,
+    std::vector<DynamicList<ChartPlace>>& places
+)
+{
+    std::vector<labelPair> order; // the rank, the chart there
+    for (std::size_t ranki = 0; ranki < boxes.size(); ++ranki)
+    {
+        forAll(boxes[ranki], i)
+        {
+            order.push_back(labelPair(ranki, i));
+        }
+        places[ranki].setSize(boxes[ranki].size());
+    }
+    const auto boxAt = [&](const labelPair& at) -> const ChartBox&
+    { return boxes[at.first()][at.second()]; };
+    std::stable_sort(
+        order.begin(), order.end(),
+        [&](const labelPair& a, const labelPair& b)
+        { return boxAt(a).lowest < boxAt(b).lowest; }
+    );
+    List<vector2D> sizes(order.size());
+    forAll(sizes, i)
+    {
+        sizes[i] = boxAt(order[i]).size;
+    }
+    const BoxPacking packing(packBoxes(sizes));
+    forAll(sizes, i)
+    {
+        places[order[i].first()][order[i].second()] = {i, packing.corners[i]};
+    }
+    return packing.placed ? packing.scale : 0;
+}
+
+// Moves the charts to their places among those of all ranks; the scale, 0 where there
+// is nothing to scale.
+scalar packPieces(
+    const SurfacePiece& interface, const List<Patch>& patches, List<Piece>& pieces,
+    const Exchange& exchange
+)
+{
+    std::vector<DynamicList<ChartBox>> mine(exchange.nRanks());
+    forAll(pieces, i)
+    {
+        mine[0].append(ChartBox{
+            interface.keys[patches[i].lowestTriangle], boxSize(pieces[i].parameters)});
+    }
+    const std::vector<List<ChartBox>> boxes(exchange.exchangeLists(mine));
+    std::vector<DynamicList<ChartPlace>> places(exchange.nRanks());
+    Packet packet;
+    together(
+        exchange,
+        [&] { packet.put(exchange.isMaster() ? placeAll(boxes, places) : scalar(0)); }
+    );
+    const List<ChartPlace> here(exchange.exchangeLists(places)[0]);
+    const scalar scale = exchange.fromMaster(packet).get<scalar>();
+    forAll(pieces, i)
+    {
+        pieces[i].number = here[i].number;
+        if (scale > 0)
+        {
+            pieces[i].parameters = moved(pieces[i].parameters, here[i].corner, scale);
+        }
+    }
+    return scale;
 }
 
 } // namespace
 
+ParametrizationResult parametrize(
+    const SurfacePiece& interface, const ParametrizationOptions& options,
+    const Exchange& exchange
+)
+{
+    ParametrizationResult result;
+    List<Patch> patches;
+    List<Piece> pieces;
+    together(
+        exchange,
+        [&]
+        {
+            patches = patchesOf(interface.mesh);
+            pieces.setSize(patches.size());
+            forAll(patches, i)
+            {
+                Piece& piece = pieces[i];
+                piece = flattened(interface.mesh, patches[i], options);
+                result.nCharts += !piece.chart.parameters.empty();
+                result.nFallbacks += piece.chart.fallback;
+                result.nKept += piece.copy.kept;
+                result.remeshingDistance =
+                    max(result.remeshingDistance, piece.copy.largestDistance);
+            }
+        }
+    );
+    result.nCharts = exchange.total(result.nCharts);
+    result.nFallbacks = exchange.total(result.nFallbacks);
+    result.nKept = exchange.total(result.nKept);
+    result.remeshingDistance = largest(result.remeshingDistance, exchange);
+    const scalar scale = packPieces(interface, patches, pieces, exchange);
+    result.scale = scale > 0 ? scale : 1;
+    result.surface = joined(interface.mesh, patches, pieces);
+    return result;
+}
+
 ParametrizationResult
 parametrize(const InterfaceMesh& mesh, const ParametrizationOptions& options)
 {
-    const std::unique_ptr<Flattening> method = Flattening::New(options.flattening);
-    const List<Patch> patches = patchesOf(mesh);
-    List<Piece> pieces(patches.size());
-    List<List<vector2D>> charts(patches.size());
-    ParametrizationResult result;
-    forAll(patches, i)
+    SurfacePiece alone;
+    alone.mesh = mesh;
+    alone.keys.setSize(mesh.triangles.size());
+    forAll(alone.keys, i)
     {
-        Piece& piece = pieces[i];
-        piece.copy = remesh(
-            patches[i].surface, options.edgeLength * meanCellSize(mesh, patches[i])
-        );
-        piece.chart = makeChart(piece.copy.surface, *method);
-        piece.copy.surface.points = piece.chart.points;
-        charts[i] = piece.chart.parameters;
-
-        result.nCharts += !piece.chart.parameters.empty();
-        result.nFallbacks += piece.chart.fallback;
-        result.nKept += piece.copy.kept;
-        result.remeshingDistance =
-            max(result.remeshingDistance, piece.copy.largestDistance);
+        alone.keys[i].place = i;
     }
-    const PackingResult packing = packCharts(charts);
-    result.scale = packing.scale;
-    result.surface = join(mesh, patches, pieces, packing.charts);
-    return result;
+    return parametrize(alone, options, SerialExchange());
 }
 
 } // namespace Foam::stability

@@ -93,6 +93,7 @@ Patch extract(
     patch.points = labelList(fans.points, vertices);
     patch.surface.points = pointField(mesh.points, patch.points);
     patch.materials = mesh.materials[triangles[0]];
+    patch.lowestTriangle = triangles[0];
     return patch;
 }
 

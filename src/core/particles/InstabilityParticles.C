@@ -3,6 +3,11 @@
 
 #include "core/particles/InstabilityParticles.H"
 
+#include "core/ranks/Travel.H"
+#include "core/tracking/KeyOrder.H"
+
+#include <algorithm>
+
 namespace Foam::stability
 {
 
@@ -45,80 +50,191 @@ vector2D centreParameter(const InterfaceMesh& mesh, label trianglei)
     return n == 3 ? sum / 3 : first;
 }
 
+// A particle that is still to find its cell.
+struct Seed
+{
+    InstabilityParticle particle;
+    bool near = false; // the cell that its hint names is only near
+};
+
+Pathline& pathOf(Seed& seed)
+{
+    return seed.particle.path;
+}
+
+// What of a rank's part of T has detached, in the order of the surface.
+class Seeding
+{
+public:
+    Seeding(const ClassifiedSurface& surface, const SurfaceHalo& halo)
+        : surface_(surface), mesh_(surface.mesh), halo_(halo)
+    {
+        addPoints();
+        addTriangles();
+    }
+
+    DynamicList<Seed> points, triangles;
+    DynamicList<TriangleKey> pointKeys, triangleKeys;
+
+private:
+    bool detached(label pointi) const
+    {
+        return surface_.stability[pointi] == Stability::detached;
+    }
+
+    // By first triangles, which are own for the points that count here.
+    void addPoints()
+    {
+        const List<vector2D> parameters(pointParameters(mesh_));
+        List<bool> met(mesh_.points.size(), false);
+        forAll(mesh_.triangles, trianglei)
+        {
+            for (label k = 0; k < 3; ++k)
+            {
+                const label pointi = mesh_.triangles[trianglei][k];
+                if (met[pointi] || !surface_.counted[pointi] || !detached(pointi))
+                {
+                    continue;
+                }
+                met[pointi] = true;
+                Seed seed;
+                InstabilityParticle& particle = seed.particle;
+                particle.path.x = mesh_.points[pointi];
+                particle.path.hint.cell = mesh_.cells[pointi];
+                particle.parameter = parameters[pointi];
+                particle.origin = mesh_.origins[pointi];
+                particle.component = surface_.components[pointi];
+                particle.weight = 0.5 * surface_.areas[pointi];
+                points.append(seed);
+                TriangleKey key(halo_.piece().keys[trianglei]);
+                key.place = 3 * key.place + k;
+                pointKeys.append(key);
+            }
+        }
+    }
+
+    void addTriangles()
+    {
+        forAll(mesh_.triangles, trianglei)
+        {
+            const triFace& t = mesh_.triangles[trianglei];
+            if (!halo_.isOwn(trianglei)
+                || !(detached(t[0]) || detached(t[1]) || detached(t[2])))
+            {
+                continue;
+            }
+            Seed seed;
+            seed.near = true;
+            InstabilityParticle& particle = seed.particle;
+            particle.path.x = mesh_.centre(trianglei);
+            particle.path.hint.cell = mesh_.cells[t[0]];
+            particle.parameter = centreParameter(mesh_, trianglei);
+            particle.origin =
+                (mesh_.origins[t[0]] + mesh_.origins[t[1]] + mesh_.origins[t[2]]) / 3;
+            particle.component = surface_.components[t[0]];
+            particle.weight = 0.5 * mag(mesh_.areaVector(trianglei));
+            triangles.append(seed);
+            triangleKeys.append(halo_.piece().keys[trianglei]);
+        }
+    }
+
+    const ClassifiedSurface& surface_;
+    const InterfaceMesh& mesh_;
+    const SurfaceHalo& halo_;
+};
+
 } // namespace
 
 void InstabilityParticles::seed(
-    const InterfaceMesh& mesh, const UList<bool>& detached,
-    const UList<label>& components, const CellComplex& complex, scalar time
+    const ClassifiedSurface& timeSurface, const SurfaceHalo& halo,
+    const CellComplex& complex, scalar time, const Exchange& exchange
 )
 {
-    const auto add = [&](const point& x, label celli, const InstabilityParticle& what)
+    Seeding seeding(timeSurface, halo);
+    DynamicList<Seed> seeds;
+    const auto number = [&](const UList<TriangleKey>& keys, DynamicList<Seed>& some)
     {
-        if (particles_.size() >= maxParticles_)
+        const labelList places(placesInOrder(keys, exchange));
+        forAll(some, i)
         {
-            ++nSkipped_;
-            return;
+            some[i].particle.path.id = nextId_ + places[i];
+            if (some[i].particle.path.id < maxParticles_)
+            {
+                seeds.append(some[i]);
+            }
         }
-        InstabilityParticle particle(what);
-        particle.path.id = nextId_++;
-        particle.path.x = x;
-        particle.path.time = time;
-        particle.path.hint.cell = celli < 0 ? celli : complex.globalCell(celli);
-        particle.detachmentTime = time;
-        particle.detachmentPosition = x;
-        particle.nearWall = celli >= 0 && complex.nearWall(celli);
-        particles_.append(particle);
+        const label n = exchange.total(some.size());
+        const label room = std::max(maxParticles_ - nextId_, label(0));
+        nSkipped_ += std::max(n - room, label(0));
+        nextId_ += std::min(n, room);
     };
+    number(seeding.pointKeys, seeding.points);
+    number(seeding.triangleKeys, seeding.triangles);
 
-    const scalarField areas(mesh.pointAreas());
-    const List<vector2D> parameters(pointParameters(mesh));
-    forAll(mesh.points, pointi)
-    {
-        if (detached[pointi])
+    disperse(seeds, complex, exchange);
+    together(
+        exchange,
+        [&]
         {
-            InstabilityParticle particle;
-            particle.parameter = parameters[pointi];
-            particle.origin = mesh.origins[pointi];
-            particle.component = components[pointi];
-            particle.weight = 0.5 * areas[pointi];
-            add(mesh.points[pointi], mesh.cells[pointi], particle);
+            for (Seed& seed : seeds)
+            {
+                InstabilityParticle& particle = seed.particle;
+                label& celli = particle.path.hint.cell;
+                const point& x = particle.path.x;
+                if (seed.near && !(celli >= 0 && complex.holds(celli, x)))
+                {
+                    celli = complex.findCell(x);
+                }
+                particle.path.time = time;
+                particle.detachmentTime = time;
+                particle.detachmentPosition = x;
+                particle.nearWall = celli >= 0 && complex.nearWall(celli);
+                particles_.append(particle);
+            }
         }
-    }
-    forAll(mesh.triangles, trianglei)
-    {
-        const triFace& t = mesh.triangles[trianglei];
-        if (detached[t[0]] || detached[t[1]] || detached[t[2]])
-        {
-            InstabilityParticle particle;
-            particle.parameter = centreParameter(mesh, trianglei);
-            particle.origin =
-                (mesh.origins[t[0]] + mesh.origins[t[1]] + mesh.origins[t[2]]) / 3;
-            particle.component = components[t[0]];
-            particle.weight = 0.5 * mag(mesh.areaVector(trianglei));
-            const point x = mesh.centre(trianglei);
-            const label near = mesh.cells[t[0]];
-            add(x, near >= 0 && complex.holds(near, x) ? near : complex.findCell(x),
-                particle);
-        }
-    }
+    );
 }
 
-List<Pathline> InstabilityParticles::paths() const
+IntegrationCounts InstabilityParticles::advance(
+    const Velocity& velocity, const IntegrationOptions& options,
+    const CellComplex& complex, const Exchange& exchange
+)
 {
-    List<Pathline> result(particles_.size());
-    forAll(particles_, i)
-    {
-        result[i] = particles_[i].path;
-    }
-    return result;
+    IntegrationCounts counts;
+    travel(
+        particles_, complex, exchange,
+        [&](UList<InstabilityParticle>& here)
+        {
+            List<Pathline> paths(here.size());
+            forAll(here, i)
+            {
+                paths[i] = here[i].path;
+            }
+            counts += stability::advance(paths, velocity, options);
+            forAll(here, i)
+            {
+                here[i].path = paths[i];
+            }
+        }
+    );
+    return counts;
 }
 
-void InstabilityParticles::setPaths(const UList<Pathline>& paths)
+List<InstabilityParticle> InstabilityParticles::gathered(const Exchange& exchange) const
 {
-    forAll(particles_, i)
+    std::vector<DynamicList<InstabilityParticle>> mine(exchange.nRanks());
+    mine[0].append(particles_);
+    DynamicList<InstabilityParticle> all;
+    for (const List<InstabilityParticle>& some : exchange.exchangeLists(mine))
     {
-        particles_[i].path = paths[i];
+        all.append(some);
     }
+    std::sort(
+        all.begin(), all.end(),
+        [](const InstabilityParticle& a, const InstabilityParticle& b)
+        { return a.path.id < b.path.id; }
+    );
+    return List<InstabilityParticle>(std::move(all));
 }
 
 } // namespace Foam::stability

@@ -168,8 +168,11 @@ void settleInCells(InterfaceMesh& mesh, const CellComplex& complex, label first)
     for (label pointi = first; pointi < mesh.cells.size(); ++pointi)
     {
         label& celli = mesh.cells[pointi];
-        celli = settledCell(complex, celli, mesh.points[pointi]);
-        mesh.cellSizes[pointi] = complex.cellSizes()[celli];
+        if (celli >= 0)
+        {
+            celli = settledCell(complex, celli, mesh.points[pointi]);
+            mesh.cellSizes[pointi] = complex.cellSizes()[celli];
+        }
     }
 }
 

@@ -3,10 +3,8 @@
 
 #include "core/reconstruction/NoiseFloor.H"
 
+#include "core/analysis/Quantiles.H"
 #include "core/mesh/SurfaceLocator.H"
-
-#include <algorithm>
-#include <cmath>
 
 namespace Foam::stability
 {
@@ -24,22 +22,23 @@ ReconstructionOptions otherThan(const ReconstructionOptions& options)
 
 } // namespace
 
-scalar noiseQuantile(scalarField values)
+scalar noiseQuantile(
+    const scalarField& values, const UList<bool>& counted, const Exchange& exchange
+)
 {
-    constexpr scalar share = 0.999;
-    const label n = values.size();
-    if (n == 0)
-    {
-        return 0;
-    }
     // Round-off must not raise 0.999 n above the whole number that it is.
-    const label rank = label(std::ceil(share * n * (1 - 1e-12)));
-    const auto at = values.begin() + std::max(rank, label(1)) - 1;
-    std::nth_element(values.begin(), at, values.end());
-    return *at;
+    constexpr scalar share = 0.999 * (1 - 1e-12);
+    scalarField weights(values.size());
+    forAll(weights, i)
+    {
+        weights[i] = counted[i] ? 1 : 0;
+    }
+    return weightedQuantiles(values, weights, {share}, exchange)[0];
 }
 
-scalar spreadFloor(const scalarField& spread)
+scalar spreadFloor(
+    const scalarField& spread, const UList<bool>& counted, const Exchange& exchange
+)
 {
     constexpr scalar ofPointsThatStay = 0.2; // [cells]
     scalarField noise(spread);
@@ -47,11 +46,11 @@ scalar spreadFloor(const scalarField& spread)
     {
         value = value < 0 ? ofPointsThatStay : value;
     }
-    return noiseQuantile(std::move(noise));
+    return noiseQuantile(noise, counted, exchange);
 }
 
-scalar
-differenceFloor(const InterfaceMesh& mesh, const InterfaceMesh& other, label nThreads)
+scalarField
+distancesFrom(const InterfaceMesh& other, const InterfaceMesh& mesh, label nThreads)
 {
     constexpr scalar farthest = 3; // [cells]
     scalarField distances(mesh.points.size(), farthest);
@@ -72,21 +71,29 @@ differenceFloor(const InterfaceMesh& mesh, const InterfaceMesh& other, label nTh
             }
         }
     }
-    return noiseQuantile(std::move(distances));
+    return distances;
 }
 
 scalar noiseFloor(
-    const ReconstructionResult& result, const ReconstructionOptions& options,
-    const std::function<InterfaceMesh(const ReconstructionOptions&)>& extract
+    const InterfaceMesh& mesh, const scalarField& spread, const UList<bool>& counted,
+    const ReconstructionOptions& options,
+    const std::function<InterfaceMesh(const ReconstructionOptions&)>& extract,
+    const Exchange& exchange
 )
 {
-    // Not by what the result holds: ranks without the whole must take the same way.
     if (options.sharpening != Sharpening::none)
     {
-        return result.sharpening ? spreadFloor(result.sharpening->spread) : 0;
+        return spreadFloor(spread, counted, exchange);
     }
-    const InterfaceMesh other(extract(otherThan(options)));
-    return differenceFloor(result.mesh, other, options.nThreads);
+    scalarField distances;
+    together(
+        exchange,
+        [&] {
+            distances =
+                distancesFrom(extract(otherThan(options)), mesh, options.nThreads);
+        }
+    );
+    return noiseQuantile(distances, counted, exchange);
 }
 
 } // namespace Foam::stability

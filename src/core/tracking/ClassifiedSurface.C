@@ -40,23 +40,9 @@ scalarField driftSpeeds(
 
 } // namespace
 
-labelList pointComponents(const InterfaceMesh& mesh)
-{
-    const SurfaceTopology topology(mesh.points.size(), mesh.triangles);
-    labelList result(mesh.points.size(), 0);
-    forAll(mesh.triangles, trianglei)
-    {
-        for (const label pointi : mesh.triangles[trianglei])
-        {
-            result[pointi] = topology.components()[trianglei];
-        }
-    }
-    return result;
-}
-
 ClassifiedSurface describe(
     const InterfaceMesh& mesh, const UList<Match>& matches, Stability unmatched,
-    const CellComplex& complex, scalar interval
+    const UList<bool>& nearWall, scalar interval
 )
 {
     const label n = mesh.points.size();
@@ -65,8 +51,8 @@ ClassifiedSurface describe(
     surface.stability.setSize(n);
     surface.distance.setSize(n);
     surface.preimages.setSize(n);
-    surface.nearWall.setSize(n);
-    surface.components = pointComponents(mesh);
+    surface.nearWall = nearWall;
+    surface.areas = mesh.pointAreas();
     surface.driftSpeed =
         driftSpeeds(mesh, matches, unmatched == Stability::attached, interval);
     for (label i = 0; i < n; ++i)
@@ -74,9 +60,94 @@ ClassifiedSurface describe(
         surface.stability[i] = matches[i].stable ? Stability::stable : unmatched;
         surface.distance[i] = matches[i].nearest.distance;
         surface.preimages[i] = matches[i].nPreimages;
-        surface.nearWall[i] = mesh.cells[i] >= 0 && complex.nearWall(mesh.cells[i]);
     }
     return surface;
+}
+
+namespace
+{
+
+// Calls `visit` for each list of values per point.
+template<class Surface, class Visit>
+void visitValues(Surface& surface, const Visit& visit)
+{
+    visit(surface.stability);
+    visit(surface.distance);
+    visit(surface.driftSpeed);
+    visit(surface.confidence);
+    visit(surface.preimages);
+    visit(surface.nearWall);
+    visit(surface.thin);
+    visit(surface.subGrid);
+    visit(surface.components);
+    visit(surface.areas);
+    visit(surface.counted);
+}
+
+} // namespace
+
+void select(ClassifiedSurface& surface, const labelList& points)
+{
+    visitValues(
+        surface,
+        [&](auto& values)
+        {
+            if (!values.empty())
+            {
+                auto chosen(values);
+                chosen.setSize(points.size());
+                forAll(points, i)
+                {
+                    chosen[i] = values[points[i]];
+                }
+                values.transfer(chosen);
+            }
+        }
+    );
+}
+
+ClassifiedSurface gathered(const ClassifiedSurface& mine, const Exchange& exchange)
+{
+    if (exchange.nRanks() == 1)
+    {
+        return mine;
+    }
+    SurfacePiece piece;
+    static_cast<SurfaceOrder&>(piece) = mine.order;
+    piece.mesh = mine.mesh;
+    Packet packet;
+    pack(piece, packet);
+    visitValues(mine, [&](const auto& values) { packet.putList(values); });
+
+    std::vector<SurfacePiece> parts;
+    std::vector<Packet> packets(exchange.toMaster(std::move(packet)));
+    ClassifiedSurface whole;
+    together(
+        exchange,
+        [&]
+        {
+            for (Packet& some : packets)
+            {
+                if (!some.empty())
+                {
+                    parts.push_back(unpackedSurface(some));
+                    visitValues(
+                        whole,
+                        [&](auto& values)
+                        {
+                            using Value = std::decay_t<decltype(*values.begin())>;
+                            values.append(some.getList<Value>());
+                        }
+                    );
+                }
+            }
+            JoinedSurface joined(join(parts));
+            whole.order = joined.piece;
+            whole.mesh = std::move(joined.piece.mesh);
+            select(whole, joined.pointSources);
+        }
+    );
+    return whole;
 }
 
 scalarField

@@ -124,7 +124,8 @@ label MatchTarget::countPatches(const point& x, const vector& normal, scalar eps
 }
 
 List<Match> matchPoints(
-    const InterfaceMesh& mesh, const MatchTarget& target, const MatchingOptions& options
+    const InterfaceMesh& mesh, const MatchTarget& target,
+    const MatchingOptions& options, const UList<bool>& wanted
 )
 {
     const vectorField normals = mesh.pointNormals();
@@ -132,8 +133,12 @@ List<Match> matchPoints(
 #pragma omp parallel for schedule(dynamic, 64) num_threads(options.nThreads)
     for (label pointi = 0; pointi < mesh.points.size(); ++pointi)
     {
-        matches[pointi] =
-            target.match(mesh.points[pointi], normals[pointi], mesh.cellSizes[pointi]);
+        if (wanted.empty() || wanted[pointi])
+        {
+            matches[pointi] = target.match(
+                mesh.points[pointi], normals[pointi], mesh.cellSizes[pointi]
+            );
+        }
     }
     return matches;
 }

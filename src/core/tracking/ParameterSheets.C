@@ -3,8 +3,6 @@
 
 #include "core/tracking/ParameterSheets.H"
 
-#include "core/tracking/SeamLines.H"
-
 #include <algorithm>
 #include <vector>
 
@@ -17,11 +15,6 @@ namespace
 scalar signedArea(const vector2D& a, const vector2D& b, const vector2D& c)
 {
     return 0.5 * (b - a).perp(c - a);
-}
-
-label cornerOf(const triFace& t, label pointi)
-{
-    return t[0] == pointi ? 0 : t[1] == pointi ? 1 : 2;
 }
 
 // Marks that are forgotten at once: the visited triangles of one walk.
@@ -52,33 +45,16 @@ private:
 
 } // namespace
 
-ParameterSheets::ParameterSheets(const MatchTarget& target)
-    : target_(target), mesh_(target.mesh()),
+ParameterSheets::ParameterSheets(const MatchTarget& target, const SeamShape& shape)
+    : target_(target), mesh_(target.mesh()), shape_(shape),
       pointTriangles_(trianglesAtPoints(mesh_.points.size(), mesh_.triangles)),
       passages_(findPassages()), seams_(findSeams()),
       seamLocator_(mesh_.points, seams_, 0.5 * mesh_.meanCellSize()),
-      nodes_(findNodes()), scale_(meanScale()),
       interpolation_(
           mesh_, mesh_.parameters,
           [&](label trianglei, label k) { return mesh_.corners[trianglei][k]; }
       )
 {
-}
-
-// p at corner k of the triangle and at the same point in its neighbour.
-ParameterSheets::Across
-ParameterSheets::across(label trianglei, label k, label neighbouri) const
-{
-    const label pointi = mesh_.triangles[trianglei][k];
-    const label i = mesh_.corners[trianglei][k];
-    const label j =
-        mesh_.corners[neighbouri][cornerOf(mesh_.triangles[neighbouri], pointi)];
-    if (i < 0 || j < 0)
-    {
-        return Across::none;
-    }
-    return i == j || mesh_.parameters[i] == mesh_.parameters[j] ? Across::same
-                                                                : Across::differs;
 }
 
 List<FixedList<label, 3>> ParameterSheets::findPassages() const
@@ -89,8 +65,8 @@ List<FixedList<label, 3>> ParameterSheets::findPassages() const
         for (label k = 0; k < 3; ++k)
         {
             const label other = target_.topology().neighbour(trianglei, k);
-            if (other >= 0 && across(trianglei, k, other) == Across::same
-                && across(trianglei, (k + 1) % 3, other) == Across::same)
+            if (other >= 0 && across(mesh_, trianglei, k, other) == Across::same
+                && across(mesh_, trianglei, (k + 1) % 3, other) == Across::same)
             {
                 passages[trianglei][k] = other;
             }
@@ -101,68 +77,14 @@ List<FixedList<label, 3>> ParameterSheets::findPassages() const
 
 List<triFace> ParameterSheets::findSeams() const
 {
-    DynamicList<triFace> seams;
-    for (const SurfaceEdge& edge : target_.topology().edges())
+    const labelList edges(seamEdges(mesh_, target_.topology()));
+    List<triFace> seams(edges.size());
+    forAll(edges, i)
     {
-        const label trianglei = edge.triangles[0], other = edge.triangles[1];
-        if (edge.nTriangles != 2 || trianglei == other)
-        {
-            continue;
-        }
-        const triFace& t = mesh_.triangles[trianglei];
-        if (across(trianglei, cornerOf(t, edge.a), other) == Across::differs
-            || across(trianglei, cornerOf(t, edge.b), other) == Across::differs)
-        {
-            seams.append(triFace(edge.a, edge.b, edge.b));
-        }
+        const SurfaceEdge& edge = target_.topology().edges()[edges[i]];
+        seams[i] = triFace(edge.a, edge.b, edge.b);
     }
-    return List<triFace>(std::move(seams));
-}
-
-List<SeamNode> ParameterSheets::findNodes() const
-{
-    constexpr scalar straight = 0.05; // of a cell
-    const SeamCorners corners =
-        seamCorners(mesh_.points, seams_, straight * mesh_.cellSizes);
-    std::vector<char> atBoundary(mesh_.points.size(), 0);
-    for (const SurfaceEdge& edge : target_.topology().edges())
-    {
-        if (edge.nTriangles == 1)
-        {
-            atBoundary[edge.a] = atBoundary[edge.b] = 1;
-        }
-    }
-
-    DynamicList<SeamNode> nodes;
-    forAll(corners.points, i)
-    {
-        const label pointi = corners.points[i];
-        if (!atBoundary[pointi])
-        {
-            SeamNode node{
-                mesh_.points[pointi], Zero, mesh_.cellSizes[pointi], corners.isNode[i]};
-            for (const label trianglei : pointTriangles_[pointi])
-            {
-                node.normal += mesh_.areaVector(trianglei);
-            }
-            nodes.append(node);
-        }
-    }
-    return List<SeamNode>(std::move(nodes));
-}
-
-scalar ParameterSheets::meanScale() const
-{
-    scalar parameterArea = 0, area = 0;
-    forAll(mesh_.triangles, trianglei)
-    {
-        if (mesh_.parametrized(trianglei))
-        {
-            parameterArea += mag(orientation(trianglei));
-            area += mag(mesh_.areaVector(trianglei));
-        }
-    }
-    return area > 0 ? std::sqrt(parameterArea / area) : 0;
+    return seams;
 }
 
 scalar ParameterSheets::orientation(label trianglei) const
@@ -177,7 +99,7 @@ vector2D ParameterSheets::limited(
 ) const
 {
     constexpr scalar stretch = 4;
-    const scalar reach = stretch * scale_ * distance;
+    const scalar reach = stretch * shape_.scale * distance;
     const scalar length = mag(p - known);
     vector2D result = length > reach ? known + reach / length * (p - known) : p;
     for (direction d = 0; d < 2; ++d)

@@ -366,9 +366,14 @@ bool SeamCuts::isCrossed(label a, label b) const
     return touched_[a] && touched_[b] && edges_.count(edgeOf(a, b)) > 0;
 }
 
-label SeamCuts::nUnresolved() const
+label SeamCuts::nUnresolved(const UList<bool>& own) const
 {
-    return std::count(unresolved_.begin(), unresolved_.end(), 1);
+    label n = 0;
+    for (std::size_t i = 0; i < unresolved_.size(); ++i)
+    {
+        n += own[i] && unresolved_[i];
+    }
+    return n;
 }
 
 label SeamCuts::addVertex(

@@ -10,10 +10,12 @@ namespace Foam::stability
 
 SeamTreatment::SeamTreatment(
     InterfaceMesh& mesh, List<Match>& matches, const MatchTarget& target,
-    const CarriedOrigins& origins, const TransferOptions& options
+    const CarriedOrigins& origins, const TransferSurroundings& around,
+    const TransferOptions& options
 )
-    : mesh_(mesh), matches_(matches), origins_(origins), options_(options),
-      sheets_(target), bisection_(target, sheets_, options),
+    : mesh_(mesh), matches_(matches), origins_(origins), around_(around),
+      options_(options), sheets_(target, around.seams),
+      bisection_(target, sheets_, options),
       cuts_(mesh, matches, origins.settled(sheets_.nodes()), bisection_, options)
 {
 }
@@ -36,8 +38,13 @@ const SheetPoint& SeamTreatment::seen(label vertexi) const
 
 void SeamTreatment::countTriangles()
 {
-    for (const triFace& t : mesh_.triangles)
+    forAll(mesh_.triangles, trianglei)
     {
+        if (!around_.own[trianglei])
+        {
+            continue;
+        }
+        const triFace& t = mesh_.triangles[trianglei];
         bool complete = true, crossed = false, merged = false;
         for (label k = 0; k < 3; ++k)
         {
@@ -260,17 +267,24 @@ label SeamTreatment::middleCorner(const triFace& t, const FixedList<EdgeCut, 3>&
     return longest;
 }
 
-void SeamTreatment::writeBack()
+void SeamTreatment::countParts()
 {
     std::vector<label> nParts(mesh_.triangles.size(), 0);
     for (const label parent : parents_)
     {
         ++nParts[parent];
     }
-    result_.nSplit =
-        std::count_if(nParts.begin(), nParts.end(), [](label n) { return n > 1; });
-    result_.nUnresolved = cuts_.nUnresolved();
+    for (std::size_t i = 0; i < nParts.size(); ++i)
+    {
+        result_.nSplit += around_.own[i] && nParts[i] > 1;
+    }
+    result_.nUnresolved = cuts_.nUnresolved(around_.own);
+    result_.parents = labelList(parents_.begin(), parents_.end());
+}
 
+void SeamTreatment::writeBack()
+{
+    countParts();
     const label nOldPoints = mesh_.points.size(), nPoints = cuts_.vertices().size();
     mesh_.points.setSize(nPoints);
     mesh_.cells.setSize(nPoints);

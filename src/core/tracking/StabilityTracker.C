@@ -5,13 +5,12 @@
 
 #include "core/Busy.H"
 #include "core/Errors.H"
-#include "core/analysis/ThinSheets.H"
 #include "core/parametrization/Flattening.H"
-#include "core/reconstruction/CellPlacement.H"
+#include "core/ranks/ExactSum.H"
 #include "core/reconstruction/InterfaceMotion.H"
 #include "core/reconstruction/NoiseFloor.H"
 
-#include <cmath>
+#include <algorithm>
 #include <sstream>
 #include <utility>
 
@@ -21,14 +20,38 @@ namespace Foam::stability
 namespace
 {
 
-void add(IntegrationCounts& sum, const IntegrationCounts& part)
+// Of the values per held point those that the halo's piece has; others are not looked
+// at.
+template<class T>
+List<T> onPiece(const List<T>& held, const SurfaceHalo& halo)
 {
-    sum.nSteps += part.nSteps;
-    sum.nRejected += part.nRejected;
-    sum.nLeft += part.nLeft;
-    sum.nStuck += part.nStuck;
-    sum.nLost += part.nLost;
-    sum.nElsewhere += part.nElsewhere;
+    List<T> values(halo.mesh().points.size(), T());
+    forAll(held, pointi)
+    {
+        const label place = halo.placeOf(pointi);
+        if (place >= 0)
+        {
+            values[place] = held[pointi];
+        }
+    }
+    return values;
+}
+
+// And back.
+labelList placesOf(label nHeld, const SurfaceHalo& halo)
+{
+    labelList places(nHeld);
+    forAll(places, pointi)
+    {
+        places[pointi] = halo.placeOf(pointi);
+    }
+    return places;
+}
+
+template<class T>
+List<T> ofHeld(const List<T>& onPiece, const labelList& places)
+{
+    return List<T>(UList<T>(onPiece), places);
 }
 
 } // namespace
@@ -82,7 +105,7 @@ void StabilityTracker::enter(Phase phase) const
 {
     if (options_.entering)
     {
-        options_.entering(phase);
+        together(exchange_, [&] { options_.entering(phase); });
     }
 }
 
@@ -100,21 +123,15 @@ void StabilityTracker::start(std::shared_ptr<const FlowSnapshot> snapshot)
     lastClassified_ = latest_->time;
 }
 
-void StabilityTracker::together(const std::function<void()>& work) const
-{
-    stability::together(exchange_, work);
-}
-
-IntegrationCounts StabilityTracker::advanceAll(
-    DynamicList<Pathline>& paths, const Velocity& velocity
-) const
-{
-    return stability::advance(paths, velocity, options_.integration);
-}
-
 IntegrationCounts StabilityTracker::sumOf(const IntegrationCounts& here) const
 {
-    return here;
+    IntegrationCounts all;
+    all.nSteps = exchange_.total(here.nSteps);
+    all.nRejected = exchange_.total(here.nRejected);
+    all.nLeft = exchange_.total(here.nLeft);
+    all.nStuck = exchange_.total(here.nStuck);
+    all.nLost = exchange_.total(here.nLost);
+    return all;
 }
 
 void StabilityTracker::advance(std::shared_ptr<const FlowSnapshot> snapshot)
@@ -129,6 +146,7 @@ void StabilityTracker::advance(std::shared_ptr<const FlowSnapshot> snapshot)
     }
     std::shared_ptr<const PointVelocity> velocity;
     together(
+        exchange_,
         [&] {
             velocity =
                 std::make_shared<const PointVelocity>(snapshot, options_.wallVelocity);
@@ -137,152 +155,355 @@ void StabilityTracker::advance(std::shared_ptr<const FlowSnapshot> snapshot)
     const VelocityInterval interval(latestVelocity_, velocity);
     {
         const Busy watch(timings_.advection);
-        together([&] { enter(Phase::advection); });
-        add(surfaceCounts_, advanceAll(pathlines_, interval));
+        enter(Phase::advection);
+        surfaceCounts_ +=
+            timeSurface_.advance(interval, options_.integration, complex(), exchange_);
     }
     {
         const Busy watch(timings_.particles);
-        together([&] { enter(Phase::particles); });
-        add(particleCounts_, advanceAll(particlePaths_, interval));
+        enter(Phase::particles);
+        particleCounts_ +=
+            particles_.advance(interval, options_.integration, complex(), exchange_);
     }
     latest_ = std::move(snapshot);
     latestVelocity_ = velocity;
 }
 
-void StabilityTracker::placeTimeSurface()
-{
-    const CellComplex& complex = *site_->complex;
-    forAll(pathlines_, pointi)
-    {
-        const Pathline& path = pathlines_[pointi];
-        timeSurface_.points[pointi] = path.x;
-        const label celli = path.hint.cell < 0 ? -1 : complex.localCell(path.hint.cell);
-        if (celli >= 0)
-        {
-            timeSurface_.cells[pointi] = celli;
-            timeSurface_.cellSizes[pointi] = complex.cellSizes()[celli];
-        }
-    }
-}
-
 scalar StabilityTracker::displacement()
 {
-    const CellComplex& complex = *latest_->complex;
-    List<scalar> sums(2, scalar(0));
-    for (const Pathline& path : pathlines_)
-    {
-        if (path.hint.cell >= 0)
+    return timeSurface_.displacement(complex(), exchange_);
+}
+
+StabilityTracker::Extracted StabilityTracker::extract() const
+{
+    enter(Phase::reconstruction);
+    Extracted extracted;
+    together(
+        exchange_,
+        [&]
         {
-            const scalar h = complex.cellSizes()[path.hint.cell];
-            sums[0] += path.weight * magSqr(path.x - path.start) / sqr(h);
-            sums[1] += path.weight;
+            ReconstructionResult& result = extracted.result;
+            result = reconstructions_[present()]->extract(*latest_);
+            extracted.piece.joined = result.joined;
+            const labelList kept(
+                stability::keepOwn(extracted.piece, result.mesh, complex())
+            );
+            extracted.spread = result.sharpening
+                                   ? scalarField(result.sharpening->spread, kept)
+                                   : scalarField(kept.size(), 0);
+            result.mesh = InterfaceMesh();
+        }
+    );
+    List<ExactSum> volumes(2);
+    volumes[0].add(extracted.result.volume);
+    volumes[1].add(extracted.result.alphaVolume);
+    sum(volumes, exchange_);
+    extracted.result.volume = volumes[0].value();
+    extracted.result.alphaVolume = volumes[1].value();
+    extracted.result.nFailed = exchange_.total(extracted.result.nFailed);
+    return extracted;
+}
+
+// How far matching looks, anywhere [m].
+scalar StabilityTracker::searchReach(const SurfacePiece& interface) const
+{
+    const MatchingOptions& matching = changes_[present()].matching;
+    scalar reach = VSMALL;
+    for (const InterfaceMesh* mesh : {&interface.mesh, &timeSurface_.piece().mesh})
+    {
+        for (const scalar h : mesh->cellSizes)
+        {
+            reach = std::max(
+                reach, std::max(matching.epsilon.at(h), matching.searchRadius * h)
+            );
         }
     }
-    return sums[1] > 0 ? std::sqrt(sums[0] / sums[1]) : 0;
+    return largest(reach, exchange_);
 }
 
-StabilityTracker::SmallScales StabilityTracker::smallScales(const InterfaceMesh& mesh)
+// What is near the surfaces of this rank.
+VoxelMask StabilityTracker::around(const SurfacePiece& interface, scalar reach) const
 {
-    const Busy watch(timings_.matching);
-    const labelList components(pointComponents(mesh));
-    SmallScales scales;
-    scales.thin = thinPoints(mesh, options_.nThreads);
-    scales.droplets = subGridDroplets(mesh, components, *site_);
-    scales.subGrid = subGridPoints(components, scales.droplets);
-    return scales;
-}
-
-void StabilityTracker::seedPathlines(
-    const InterfaceMesh& mesh, const SmallScales& scales
-)
-{
-    timeSurface_ = mesh;
-    seedScales_ = scales;
-    seeds_ = mesh.points;
-    pathlines_.clear();
-    const scalarField areas(mesh.pointAreas());
-    forAll(mesh.points, pointi)
+    VoxelMask mask(reach);
+    for (const InterfaceMesh* mesh : {&interface.mesh, &timeSurface_.piece().mesh})
     {
-        Pathline path;
-        path.id = pointi;
-        path.x = path.start = mesh.points[pointi];
-        path.weight = areas[pointi];
-        path.time = latest_->time;
-        path.hint.cell = site_->complex->globalCell(mesh.cells[pointi]);
-        pathlines_.append(path);
-    }
-}
-
-// Remeshing moves points into cells next to those of the interface.
-void StabilityTracker::findCells(InterfaceMesh& surface) const
-{
-    const CellComplex& complex = *site_->complex;
-    forAll(surface.points, pointi)
-    {
-        label& celli = surface.cells[pointi];
-        if (!liesWithin(complex, celli, surface.points[pointi]))
+        for (const point& x : mesh->points)
         {
-            celli = complex.findCell(surface.points[pointi]);
-            surface.cellSizes[pointi] = complex.cellSizes()[celli];
+            mask.add(x, reach);
         }
     }
+    return mask;
 }
 
 // Step 1 of the method (paper 4.2): the first interface there is gets p, and T starts
 // from its flattened copy.
-void StabilityTracker::startSurface(const InterfaceMesh& mesh)
+void StabilityTracker::startSurface(const SurfacePiece& interface)
 {
+    enter(Phase::parametrization);
+    const Busy watch(timings_.parametrization);
+    const point apex = complex().whole().bounds.centre();
+    const scalar reach = searchReach(interface);
     {
-        enter(Phase::parametrization);
-        const Busy watch(timings_.parametrization);
-        result_.parametrization = parametrize(mesh, options_.parametrization);
+        const SurfaceHalo halo(interface, around(interface, reach), exchange_);
+        const Components components(halo, apex, exchange_);
+        const List<bool> all(interface.mesh.triangles.size(), true);
+        result_.parametrization = parametrize(
+            wholeComponents(interface, components, all, exchange_).piece,
+            options_.parametrization, exchange_
+        );
     }
-    InterfaceMesh& surface = result_.parametrization->surface;
-    findCells(surface);
-    chart_ = StartChart(surface);
-    seedPathlines(surface, smallScales(surface));
+    SurfacePiece& surface = result_.parametrization->surface;
+    surface = join({surface}).piece; // points in the order of triangles
+    TimeSurface::Marks marks;
+    marks.areas = surface.mesh.pointAreas();
+    marks.counted = List<bool>(surface.mesh.points.size(), true);
+    timeSurface_.seedRemeshed(surface, marks, latest_->time, complex(), exchange_);
+    surface = timeSurface_.piece();
+    chart_ = SpreadChart(surface, exchange_);
+
+    const SurfaceHalo halo(surface, around(surface, reach), exchange_);
+    const SmallScales scales(smallScales(
+        surface, halo, Components(halo, apex, exchange_), latest_, options_.nThreads,
+        exchange_
+    ));
+    const labelList places(placesOf(surface.mesh.points.size(), halo));
+    timeSurface_.setSmallScales(
+        ofHeld(scales.thin, places), ofHeld(scales.subGrid, places)
+    );
     parametrized_ = true;
 }
 
-ReconstructionResult StabilityTracker::extractWhole(const Reconstruction& reconstruction
+List<Match> StabilityTracker::matchBoth(
+    const SurfaceHalo& interface, const MatchTarget& target, List<Match>& onTimeSurface
 )
 {
-    ReconstructionResult local;
-    together([&] { local = reconstruction.extract(*latest_); });
-    local.mesh.triangleCells.clear();
-    return local;
+    enter(Phase::matching);
+    const Busy watch(timings_.matching);
+    const MatchingOptions& options = changes_[present()].matching;
+    List<Match> onInterface;
+    together(
+        exchange_,
+        [&]
+        {
+            const MatchTarget interfaceTarget(interface.mesh(), options);
+            onInterface = matchPoints(interface.mesh(), target, options);
+            onTimeSurface = matchPoints(target.mesh(), interfaceTarget, options);
+        }
+    );
+    return onInterface;
 }
 
-ReconstructionResult StabilityTracker::extract()
+// p to the new interface.
+void StabilityTracker::carryOver(
+    const SurfaceHalo& interface, const MatchTarget& target,
+    const SurfaceHalo& timeSurface, List<Match>& matches
+)
+{
+    enter(Phase::transfer);
+    const Busy watch(timings_.transfer);
+    DynamicList<point> unmatched;
+    forAll(matches, pointi)
+    {
+        if (!matches[pointi].stable)
+        {
+            unmatched.append(interface.mesh().points[pointi]);
+        }
+    }
+    const TransferSurroundings surroundings{
+        chart_.around(target.mesh(), pointField(unmatched), exchange_),
+        seamShape(
+            timeSurface.piece(), target.topology(), timeSurface.ownTriangles(),
+            exchange_
+        ),
+        interface.ownTriangles()};
+    InterfaceMesh mesh(interface.mesh());
+    useLocalCells(mesh, complex());
+    together(
+        exchange_,
+        [&]
+        {
+            result_.transfer = transfer(
+                mesh, matches, target, changes_[present()].transfer, surroundings
+            );
+            settleInCells(mesh, complex(), interface.mesh().points.size()); // new ones
+        }
+    );
+    for (label* count :
+         {&result_.transfer.nCrossing, &result_.transfer.nUnresolved,
+          &result_.transfer.nSplit, &result_.transfer.nMerged})
+    {
+        *count = exchange_.total(*count);
+    }
+    describeInterface(mesh, matches, interface);
+}
+
+// Of the own triangles of the split interface.
+void StabilityTracker::describeInterface(
+    const InterfaceMesh& split, const List<Match>& matches, const SurfaceHalo& before
+)
+{
+    InterfaceMesh mesh(split);
+    List<bool> nearWall(mesh.points.size(), false);
+    forAll(nearWall, pointi)
+    {
+        const label celli = mesh.cells[pointi];
+        nearWall[pointi] = celli >= 0 && complex().nearWall(celli);
+    }
+    ClassifiedSurface& interface = result_.interface;
+    interface = describe(
+        mesh, matches, Stability::attached, nearWall, latest_->time - lastClassified_
+    );
+    useGlobalCells(mesh, complex());
+    JoinedSurface own(
+        ownParts(mesh, result_.transfer.parents, before.piece(), before.ownTriangles())
+    );
+    select(interface, own.pointSources);
+    interface.order = own.piece;
+    interface.mesh = own.piece.mesh;
+
+    const SurfaceHalo halo(
+        own.piece, around(own.piece, searchReach(own.piece)), exchange_
+    );
+    const Components components(halo, complex().whole().bounds.centre(), exchange_);
+    const labelList places(placesOf(interface.mesh.points.size(), halo));
+    interface.areas = ofHeld(halo.mesh().pointAreas(), places);
+    interface.counted = ofHeld(halo.counted(), places);
+    interface.components = ofHeld(components.ofPoints(), places);
+    SmallScales scales(
+        smallScales(own.piece, halo, components, latest_, options_.nThreads, exchange_)
+    );
+    interface.thin = ofHeld(scales.thin, places);
+    interface.subGrid = ofHeld(scales.subGrid, places);
+    result_.droplets = std::move(scales.droplets);
+}
+
+ClassifiedSurface StabilityTracker::describeTimeSurface(
+    const SurfaceHalo& halo, const List<Match>& matches
+) const
+{
+    const TimeSurface::Marks& marks = timeSurface_.marks();
+    ClassifiedSurface surface(describe(
+        halo.mesh(), matches, Stability::detached, onPiece(marks.nearWall, halo),
+        latest_->time - lastClassified_
+    ));
+    surface.counted = onPiece(marks.counted, halo);
+    surface.thin = onPiece(marks.thin, halo);
+    surface.subGrid = onPiece(marks.subGrid, halo);
+    const List<bool> left(onPiece(timeSurface_.left(), halo));
+    forAll(left, pointi)
+    {
+        if (left[pointi])
+        {
+            surface.stability[pointi] = Stability::left;
+        }
+    }
+    surface.components =
+        Components(halo, complex().whole().bounds.centre(), exchange_).ofPoints();
+    return surface;
+}
+
+// Steps 4 and 5 of the method: both surfaces against each other, p to the new one.
+StabilityTracker::ComparedTimeSurface StabilityTracker::compare(const Extracted& fresh)
+{
+    // Of T also what is connected with the places where matches lie.
+    constexpr scalar forTransfer = 3, aroundInterface = 1.7;
+    const scalar reach = searchReach(fresh.piece);
+    const SurfaceHalo interface(
+        fresh.piece, around(fresh.piece, aroundInterface * reach), exchange_
+    );
+    const SurfaceHalo timeSurface(
+        timeSurface_.piece(), around(fresh.piece, forTransfer * reach), exchange_
+    );
+    rateNoise(fresh, interface);
+    std::optional<MatchTarget> target;
+    together(
+        exchange_,
+        [&] { target.emplace(timeSurface.mesh(), changes_[present()].matching); }
+    );
+    List<Match> onTimeSurface;
+    List<Match> onInterface(matchBoth(interface, *target, onTimeSurface));
+    carryOver(interface, *target, timeSurface, onInterface);
+    return {timeSurface, describeTimeSurface(timeSurface, onTimeSurface)};
+}
+
+void StabilityTracker::rateNoise(const Extracted& fresh, const SurfaceHalo& halo)
 {
     const Busy watch(timings_.reconstruction);
-    together([&] { enter(Phase::reconstruction); });
-    ReconstructionResult result(extractWhole(*reconstructions_[present()]));
+    const labelList places(placesOf(fresh.piece.mesh.points.size(), halo));
     result_.statistics.noiseFloor = noiseFloor(
-        result, changes_[present()].reconstruction,
+        fresh.piece.mesh, fresh.spread, ofHeld(halo.counted(), places),
+        changes_[present()].reconstruction,
         [&](const ReconstructionOptions& other)
-        { return extractWhole(*Reconstruction::New(other)).mesh; }
+        { return Reconstruction::New(other)->extract(*latest_).mesh; },
+        exchange_
     );
-    return result;
 }
 
-// All that there is of T, of the particles, and of the cells around the surfaces, to
-// the rank that has the whole of M.
-void StabilityTracker::bringTogether(InterfaceMesh& extracted)
+// Of T what is held here.
+void StabilityTracker::keepOwn(const ComparedTimeSurface& compared)
 {
-    particles_.setPaths(particlePaths_);
-    site_ = latest_;
-    for (label& celli : extracted.cells)
+    const SurfacePiece& piece = timeSurface_.piece();
+    ClassifiedSurface& surface = result_.timeSurface;
+    surface = compared.surface;
+    select(surface, placesOf(piece.mesh.points.size(), compared.halo));
+    surface.mesh = piece.mesh;
+    surface.order = piece;
+}
+
+void StabilityTracker::takeStock(const Extracted& extracted)
+{
+    enter(Phase::statistics);
+    const Busy watch(timings_.statistics);
+    Statistics& statistics = result_.statistics;
+    statistics.time = latest_->time;
+    statistics.interval = latest_->time - lastClassified_;
+    statistics.volumeError = extracted.result.volumeError();
+    result_.nFailedCells = extracted.result.nFailed;
+    result_.volumeFit = extracted.result.volumeFit;
+    statistics.nParticles = particles_.nSeeded();
+    statistics.nMerged = result_.transfer.nMerged;
+    statistics.nSplit = result_.transfer.nSplit;
+    survey(
+        statistics, result_.interface, result_.timeSurface, result_.epsilon, exchange_
+    );
+    surveyDisplacement(
+        statistics, result_.timeSurface, timeSurface_.piece().seeds, exchange_
+    );
+}
+
+// Step 6: the interface is the seed of the next time surface.
+void StabilityTracker::handOn(bool begins)
+{
+    const ClassifiedSurface& interface = result_.interface;
+    SurfacePiece piece;
+    static_cast<SurfaceOrder&>(piece) = interface.order;
+    piece.mesh = interface.mesh;
+    if (!begins)
     {
-        celli = site_->complex->localCell(celli);
+        timeSurface_.seed(
+            piece,
+            {interface.areas, interface.counted, interface.nearWall, interface.thin,
+             interface.subGrid},
+            latest_->time, complex(), exchange_
+        );
     }
-}
-
-// And back to where they go on.
-void StabilityTracker::sendOut()
-{
-    particlePaths_ = particles_.paths();
-    site_.reset();
+    else if (nClassified_ > 0)
+    {
+        // The first interface appeared just now: all of it is attached, and T starts
+        // from its flattened copy, which is written in T's place.
+        startSurface(piece);
+        const SurfaceHalo halo(
+            timeSurface_.piece(), around(piece, searchReach(piece)), exchange_
+        );
+        List<Match> atHome(halo.mesh().points.size());
+        for (Match& match : atHome)
+        {
+            match.stable = true;
+            match.nPreimages = 1;
+            match.nearest.distance = 0;
+        }
+        keepOwn({halo, describeTimeSurface(halo, atHome)});
+    }
 }
 
 // What noise leaves of the classes.
@@ -295,123 +516,6 @@ void StabilityTracker::rateClasses()
     }
 }
 
-// Steps 4 and 5 of the method: both surfaces against each other, p to the new one.
-void StabilityTracker::compare(const InterfaceMesh& extracted)
-{
-    const ReconstructionFrom& now = changes_[present()];
-    const MatchTarget target(timeSurface_, now.matching);
-    InterfaceMesh mesh(extracted);
-    List<Match> onInterface;
-    List<Match> onTimeSurface;
-    {
-        enter(Phase::matching);
-        const Busy watch(timings_.matching);
-        const MatchTarget interfaceTarget(mesh, now.matching);
-        onTimeSurface = matchPoints(timeSurface_, interfaceTarget, now.matching);
-        onInterface = matchPoints(mesh, target, now.matching);
-    }
-    {
-        enter(Phase::transfer);
-        const Busy watch(timings_.transfer);
-        result_.transfer = transfer(mesh, onInterface, target, now.transfer, chart_);
-    }
-    const CellComplex& complex = *site_->complex;
-    settleInCells(mesh, complex, extracted.points.size()); // what seams have added
-    const scalar interval = latest_->time - lastClassified_;
-    result_.interface =
-        describe(mesh, onInterface, Stability::attached, complex, interval);
-    result_.timeSurface =
-        describe(timeSurface_, onTimeSurface, Stability::detached, complex, interval);
-    SmallScales scales(smallScales(mesh));
-    result_.interface.thin = std::move(scales.thin);
-    result_.interface.subGrid = std::move(scales.subGrid);
-    result_.droplets = std::move(scales.droplets);
-    result_.timeSurface.thin = seedScales_.thin;
-    result_.timeSurface.subGrid = seedScales_.subGrid;
-    forAll(pathlines_, pointi)
-    {
-        if (pathlines_[pointi].state == PathlineState::left)
-        {
-            result_.timeSurface.stability[pointi] = Stability::left;
-        }
-    }
-}
-
-void StabilityTracker::seedParticles()
-{
-    const List<Stability>& stability = result_.timeSurface.stability;
-    List<bool> detached(stability.size());
-    forAll(detached, pointi)
-    {
-        detached[pointi] = stability[pointi] == Stability::detached;
-    }
-    particles_.seed(
-        timeSurface_, detached, result_.timeSurface.components, *site_->complex,
-        latest_->time
-    );
-    result_.nSkippedParticles = particles_.nSkipped();
-}
-
-void StabilityTracker::takeStock(const ReconstructionResult& extracted)
-{
-    enter(Phase::statistics);
-    const Busy watch(timings_.statistics);
-    Statistics& statistics = result_.statistics;
-    statistics.time = latest_->time;
-    statistics.interval = latest_->time - lastClassified_;
-    statistics.volumeError = extracted.volumeError();
-    result_.nFailedCells = extracted.nFailed;
-    result_.volumeFit = extracted.volumeFit;
-    statistics.nParticles = particles_.size();
-    statistics.nMerged = result_.transfer.nMerged;
-    statistics.nSplit = result_.transfer.nSplit;
-    survey(statistics, result_.interface, result_.timeSurface, result_.epsilon);
-    surveyDisplacement(statistics, timeSurface_, seeds_);
-}
-
-// Step 6: the interface is the seed of the next time surface.
-void StabilityTracker::handOn(bool begins)
-{
-    if (!begins)
-    {
-        const ClassifiedSurface& M = result_.interface;
-        seedPathlines(M.mesh, {M.thin, M.subGrid, {}});
-    }
-    else if (nClassified_ > 0)
-    {
-        // The first interface appeared just now: all of it is attached, and T starts
-        // from its flattened copy, which is written in T's place.
-        startSurface(result_.interface.mesh);
-        List<Match> atHome(timeSurface_.points.size());
-        for (Match& match : atHome)
-        {
-            match.stable = true;
-            match.nPreimages = 1;
-            match.nearest.distance = 0;
-        }
-        result_.timeSurface =
-            describe(timeSurface_, atHome, Stability::stable, *site_->complex, 0);
-        result_.timeSurface.thin = seedScales_.thin;
-        result_.timeSurface.subGrid = seedScales_.subGrid;
-    }
-}
-
-// What one rank does alone, with the whole surfaces.
-void StabilityTracker::classifyWhole(ReconstructionResult& extracted)
-{
-    const bool begins = !parametrized_ && !extracted.mesh.empty();
-    if (begins && nClassified_ == 0)
-    {
-        startSurface(extracted.mesh);
-    }
-    placeTimeSurface();
-    compare(extracted.mesh);
-    seedParticles();
-    takeStock(extracted);
-    handOn(begins);
-    rateClasses();
-}
-
 const Classification& StabilityTracker::classify()
 {
     result_ = Classification();
@@ -420,10 +524,24 @@ const Classification& StabilityTracker::classify()
     result_.timeSurfaceCounts = sumOf(std::exchange(surfaceCounts_, {}));
     result_.particleCounts = sumOf(std::exchange(particleCounts_, {}));
 
-    ReconstructionResult extracted(extract());
-    bringTogether(extracted.mesh);
-    together([&] { classifyWhole(extracted); });
-    sendOut();
+    Extracted extracted(extract());
+    const bool begins =
+        !parametrized_ && exchange_.total(extracted.piece.mesh.triangles.size()) > 0;
+    if (begins && nClassified_ == 0)
+    {
+        startSurface(extracted.piece);
+    }
+    timeSurface_.comeHome(complex(), exchange_);
+    const ComparedTimeSurface compared(compare(extracted));
+    keepOwn(compared);
+    particles_.seed(
+        compared.surface, compared.halo, complex(), latest_->time, exchange_
+    );
+    result_.nSkippedParticles = particles_.nSkipped();
+    takeStock(extracted);
+    handOn(begins);
+    rateClasses();
+    result_.droplets = gatheredDroplets(result_.droplets, exchange_);
 
     lastClassified_ = latest_->time;
     ++nClassified_;

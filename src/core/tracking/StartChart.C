@@ -7,14 +7,23 @@ namespace Foam::stability
 {
 
 StartChart::StartChart(const InterfaceMesh& surface)
-    : surface_(std::make_shared<const InterfaceMesh>(surface)),
-      locator_(std::make_shared<const SurfaceLocator>(
-          surface_->points, surface_->triangles,
-          std::max(surface_->meanCellSize(), scalar(VSMALL))
-      ))
+    : StartChart(
+        surface, surface.meanCellSize(),
+        seamShape(surface, SurfaceTopology(surface.points.size(), surface.triangles))
+            .nodes
+    )
 {
-    const MatchTarget target(*surface_, MatchingOptions());
-    nodes_ = ParameterSheets(target).nodes();
+}
+
+StartChart::StartChart(
+    const InterfaceMesh& piece, scalar meanCellSize, const List<SeamNode>& nodes
+)
+    : surface_(std::make_shared<const InterfaceMesh>(piece)),
+      locator_(std::make_shared<const SurfaceLocator>(
+          surface_->points, surface_->triangles, std::max(meanCellSize, scalar(VSMALL))
+      )),
+      meanCellSize_(meanCellSize), nodes_(nodes)
+{
 }
 
 const SeamNode* StartChart::seamEndNear(const point& origin, scalar radius) const
@@ -60,9 +69,8 @@ StartChart::read(label trianglei, const point& origin, const vector2D& carried) 
 
 SurfacePoint StartChart::foot(const point& origin) const
 {
-    constexpr scalar reach = 1; // in cells: how far origins leave the surface
     return locator_->closest(
-        origin, reach * surface_->meanCellSize(),
+        origin, reach * meanCellSize_,
         [&](label trianglei) { return surface_->parametrized(trianglei); }
     );
 }
@@ -100,7 +108,7 @@ StartChart::Reading StartChart::at(const point& origin, const vector2D& carried)
 {
     constexpr scalar doubtful = 0.02; // in cells: perhaps the other side of a seam
     constexpr scalar beyond = 0.1;    // in cells: how far a seam may have moved
-    const scalar h = surface_->meanCellSize();
+    const scalar h = meanCellSize_;
     const SurfacePoint x = foot(origin);
     if (x.triangle < 0)
     {

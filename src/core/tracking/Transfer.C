@@ -31,15 +31,28 @@ void carryOrigins(
 
 TransferResult transfer(
     InterfaceMesh& mesh, List<Match>& matches, const MatchTarget& target,
+    const TransferOptions& options, const TransferSurroundings& around
+)
+{
+    const CarriedOrigins origins(target, around.chart);
+    SeamTreatment treatment(mesh, matches, target, origins, around, options);
+    const TransferResult result = treatment.run();
+    carryOrigins(mesh, matches, origins, treatment);
+    around.chart.readOff(mesh);
+    return result;
+}
+
+TransferResult transfer(
+    InterfaceMesh& mesh, List<Match>& matches, const MatchTarget& target,
     const TransferOptions& options, const StartChart& chart
 )
 {
-    const CarriedOrigins origins(target, chart);
-    SeamTreatment treatment(mesh, matches, target, origins, options);
-    const TransferResult result = treatment.run();
-    carryOrigins(mesh, matches, origins, treatment);
-    chart.readOff(mesh);
-    return result;
+    return transfer(
+        mesh, matches, target, options,
+        TransferSurroundings{
+            chart, seamShape(target.mesh(), target.topology()),
+            List<bool>(mesh.triangles.size(), true)}
+    );
 }
 
 } // namespace Foam::stability

@@ -5,7 +5,7 @@
 
 #include "Map.H"
 #include "boundBox.H"
-#include "foam/ranks/CellPackets.H"
+#include "core/ranks/CellPackets.H"
 
 namespace Foam::stability
 {

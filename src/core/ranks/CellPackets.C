@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of interfaceStability, an extension of OpenFOAM.
 
-#include "foam/ranks/CellPackets.H"
+#include "core/ranks/CellPackets.H"
 
 #include "Map.H"
 

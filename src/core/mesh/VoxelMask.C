@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "core/mesh/VoxelMask.H"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+constexpr int bits = 21; // per direction
+constexpr std::int64_t middle = std::int64_t(1) << (bits - 1);
+
+std::int64_t placeOf(scalar x, scalar size)
+{
+    const scalar place = std::floor(x / size) + middle;
+    return std::int64_t(std::min(std::max(place, scalar(0)), scalar(2 * middle - 1)));
+}
+
+} // namespace
+
+// Calls `visit` for the voxels that the box meets, until it returns true.
+template<class Visit>
+void VoxelMask::visit(const boundBox& box, const Visit& visit) const
+{
+    std::int64_t low[3], high[3];
+    for (direction d = 0; d < 3; ++d)
+    {
+        low[d] = placeOf(box.min()[d], size_);
+        high[d] = placeOf(box.max()[d], size_);
+    }
+    for (std::int64_t i = low[0]; i <= high[0]; ++i)
+    {
+        for (std::int64_t j = low[1]; j <= high[1]; ++j)
+        {
+            for (std::int64_t k = low[2]; k <= high[2]; ++k)
+            {
+                if (visit((Voxel(i) << (2 * bits)) | (Voxel(j) << bits) | Voxel(k)))
+                {
+                    return;
+                }
+            }
+        }
+    }
+}
+
+void VoxelMask::add(const point& x, scalar reach)
+{
+    const vector wide(reach, reach, reach);
+    add(boundBox(x - wide, x + wide));
+}
+
+void VoxelMask::add(const boundBox& box)
+{
+    visit(
+        box,
+        [&](Voxel voxel)
+        {
+            voxels_.insert(voxel);
+            return false;
+        }
+    );
+}
+
+void VoxelMask::add(const point& a, const point& b, const point& c, scalar reach)
+{
+    const scalar ab = magSqr(b - a), bc = magSqr(c - b), ca = magSqr(a - c);
+    if (std::max(ab, std::max(bc, ca)) <= sqr(size_))
+    {
+        add(a, reach);
+        add(b, reach);
+        add(c, reach);
+    }
+    else if (ab >= bc && ab >= ca)
+    {
+        const point m = 0.5 * (a + b);
+        add(a, m, c, reach);
+        add(m, b, c, reach);
+    }
+    else if (bc >= ca)
+    {
+        add(b, c, a, reach);
+    }
+    else
+    {
+        add(c, a, b, reach);
+    }
+}
+
+bool VoxelMask::meets(const boundBox& box) const
+{
+    bool found = false;
+    visit(box, [&](Voxel voxel) { return found = voxels_.count(voxel) > 0; });
+    return found;
+}
+
+DynamicList<VoxelMask::Voxel> VoxelMask::within(const boundBox& box) const
+{
+    std::int64_t low[3], high[3];
+    for (direction d = 0; d < 3; ++d)
+    {
+        low[d] = placeOf(box.min()[d], size_);
+        high[d] = placeOf(box.max()[d], size_);
+    }
+    DynamicList<Voxel> result;
+    for (const Voxel voxel : voxels_)
+    {
+        bool inside = true;
+        for (direction d = 0; d < 3; ++d)
+        {
+            const std::int64_t place =
+                std::int64_t(voxel >> (bits * (2 - d))) & (2 * middle - 1);
+            inside = inside && low[d] <= place && place <= high[d];
+        }
+        if (inside)
+        {
+            result.append(voxel);
+        }
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+void VoxelMask::add(const UList<Voxel>& voxels)
+{
+    voxels_.insert(voxels.begin(), voxels.end());
+}
+
+} // namespace Foam::stability

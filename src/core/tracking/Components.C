@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "core/tracking/Components.H"
+
+#include "core/analysis/SubGridDroplets.H"
+#include "core/mesh/SurfaceTopology.H"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+// Sets that are joined; a root is the lowest of its set.
+class Sets
+{
+public:
+    explicit Sets(label n) : parents_(n)
+    {
+        std::iota(parents_.begin(), parents_.end(), label(0));
+    }
+
+    label rootOf(label i)
+    {
+        while (parents_[i] != i)
+        {
+            i = parents_[i] = parents_[parents_[i]];
+        }
+        return i;
+    }
+
+    void join(label i, label j)
+    {
+        const label r = rootOf(i), s = rootOf(j);
+        parents_[std::max(r, s)] = std::min(r, s);
+    }
+
+private:
+    labelList parents_;
+};
+
+template<class T>
+std::vector<List<T>> toMaster(const List<T>& mine, const Exchange& exchange)
+{
+    std::vector<DynamicList<T>> toRanks(exchange.nRanks());
+    toRanks[0] = mine;
+    return exchange.exchangeLists(toRanks);
+}
+
+} // namespace
+
+Components::Components(
+    const SurfaceHalo& halo, const point& apex, const Exchange& exchange
+)
+{
+    const InterfaceMesh& mesh = halo.mesh();
+    const SurfaceTopology topology(mesh.points.size(), mesh.triangles);
+    numberParts(halo, topology);
+    List<OnRank> held(ofTriangles_.size());
+    forAll(held, i)
+    {
+        held[i] = OnRank(exchange.rank(), ofTriangles_[i]);
+    }
+    const List<OnRank> known(halo.triangleValues(held));
+
+    const auto parts = toMaster(measure(halo, topology, apex), exchange);
+    const auto touching = toMaster(contacts(halo, topology, known), exchange);
+    std::vector<DynamicList<Verdict>> verdicts(exchange.nRanks());
+    together(
+        exchange,
+        [&]
+        {
+            const auto judged = judge(parts, touching);
+            for (std::size_t ranki = 0; ranki < judged.size(); ++ranki)
+            {
+                verdicts[ranki] = judged[ranki];
+            }
+        }
+    );
+    const List<Verdict> mine(exchange.exchangeLists(verdicts)[0]);
+    for (const Verdict& verdict : mine)
+    {
+        numbers_.append(verdict.number);
+        homes_.append(verdict.home);
+        small_.append(verdict.small);
+    }
+    const labelList ofPiece(halo.triangleValues(ofHeldTriangles()));
+    ofPoints_.setSize(mesh.points.size(), 0);
+    forAll(mesh.triangles, trianglei)
+    {
+        for (const label pointi : mesh.triangles[trianglei])
+        {
+            ofPoints_[pointi] = ofPiece[trianglei];
+        }
+    }
+}
+
+labelList Components::ofHeldTriangles() const
+{
+    labelList result(ofTriangles_.size());
+    forAll(result, i)
+    {
+        result[i] = numbers_[ofTriangles_[i]];
+    }
+    return result;
+}
+
+// Numbers the parts that are connected by held triangles alone.
+void Components::numberParts(const SurfaceHalo& halo, const SurfaceTopology& topology)
+{
+    const label n = halo.mesh().triangles.size();
+    Sets sets(n);
+    labelList first(topology.edges().size(), -1); // own triangle at an edge
+    label nOwn = 0;
+    for (label trianglei = 0; trianglei < n; ++trianglei)
+    {
+        if (halo.isOwn(trianglei))
+        {
+            ++nOwn;
+            for (const label edgei : topology.triangleEdges()[trianglei])
+            {
+                if (first[edgei] < 0)
+                {
+                    first[edgei] = trianglei;
+                }
+                sets.join(first[edgei], trianglei);
+            }
+        }
+    }
+    ofTriangles_.setSize(nOwn);
+    labelList numbers(n, -1);
+    for (label trianglei = 0; trianglei < n; ++trianglei)
+    {
+        if (halo.isOwn(trianglei))
+        {
+            label& number = numbers[sets.rootOf(trianglei)];
+            number = number < 0 ? nParts_++ : number;
+            ofTriangles_[halo.ownTriangle(trianglei)] = number;
+        }
+    }
+}
+
+List<Components::Part> Components::measure(
+    const SurfaceHalo& halo, const SurfaceTopology& topology, const point& apex
+) const
+{
+    const InterfaceMesh& mesh = halo.mesh();
+    List<Part> parts(nParts_, Part{TriangleKey(), true, 0, 0, 0});
+    List<bool> met(nParts_, false);
+    const List<bool> counted(halo.counted());
+    List<bool> pointMet(mesh.points.size(), false);
+    forAll(mesh.triangles, trianglei)
+    {
+        if (!halo.isOwn(trianglei))
+        {
+            continue;
+        }
+        const label parti = ofTriangles_[halo.ownTriangle(trianglei)];
+        Part& part = parts[parti];
+        if (!met[parti])
+        {
+            met[parti] = true;
+            part.lowest = halo.piece().keys[trianglei];
+        }
+        const triFace& t = mesh.triangles[trianglei];
+        part.volume += ((mesh.points[t[0]] - apex)
+                        & ((mesh.points[t[1]] - apex) ^ (mesh.points[t[2]] - apex)))
+                       / 6;
+        for (label k = 0; k < 3; ++k)
+        {
+            const label edgei = topology.triangleEdges()[trianglei][k];
+            part.closed = part.closed && topology.edges()[edgei].nTriangles == 2;
+            if (counted[t[k]] && !pointMet[t[k]])
+            {
+                pointMet[t[k]] = true;
+                ++part.nPoints;
+                part.cellSizes += mesh.cellSizes[t[k]];
+            }
+        }
+    }
+    return parts;
+}
+
+List<Components::Contact> Components::contacts(
+    const SurfaceHalo& halo, const SurfaceTopology& topology, const List<OnRank>& known
+) const
+{
+    // Per edge with own and other triangles: each other part, once.
+    std::vector<std::vector<label>> others(topology.edges().size());
+    forAll(known, trianglei)
+    {
+        if (!halo.isOwn(trianglei))
+        {
+            for (const label edgei : topology.triangleEdges()[trianglei])
+            {
+                others[edgei].push_back(trianglei);
+            }
+        }
+    }
+    std::set<std::pair<label, OnRank>> found;
+    DynamicList<Contact> result;
+    forAll(known, trianglei)
+    {
+        if (!halo.isOwn(trianglei))
+        {
+            continue;
+        }
+        const label own = ofTriangles_[halo.ownTriangle(trianglei)];
+        for (const label edgei : topology.triangleEdges()[trianglei])
+        {
+            for (const label other : others[edgei])
+            {
+                if (found.insert({own, known[other]}).second)
+                {
+                    result.append(Contact{own, known[other]});
+                }
+            }
+        }
+    }
+    return List<Contact>(std::move(result));
+}
+
+// On the master: which parts are one, and what that is.
+std::vector<List<Components::Verdict>> Components::judge(
+    const std::vector<List<Part>>& parts, const std::vector<List<Contact>>& contacts
+)
+{
+    const label nRanks = parts.size();
+    labelList starts(nRanks + 1, 0);
+    for (label ranki = 0; ranki < nRanks; ++ranki)
+    {
+        starts[ranki + 1] = starts[ranki] + parts[ranki].size();
+    }
+    Sets sets(starts[nRanks]);
+    for (label ranki = 0; ranki < nRanks; ++ranki)
+    {
+        for (const Contact& contact : contacts[ranki])
+        {
+            sets.join(
+                starts[ranki] + contact.own,
+                starts[contact.other.first()] + contact.other.second()
+            );
+        }
+    }
+
+    struct Whole
+    {
+        label root, home;
+        Part sum;
+    };
+    std::vector<Whole> wholes;
+    labelList places(starts[nRanks], -1);
+    for (label ranki = 0; ranki < nRanks; ++ranki)
+    {
+        forAll(parts[ranki], i)
+        {
+            const label root = sets.rootOf(starts[ranki] + i);
+            const Part& part = parts[ranki][i];
+            if (places[root] < 0)
+            {
+                places[root] = wholes.size();
+                wholes.push_back({root, ranki, part});
+                continue;
+            }
+            Whole& whole = wholes[places[root]];
+            if (part.lowest < whole.sum.lowest)
+            {
+                whole.sum.lowest = part.lowest;
+                whole.home = ranki;
+            }
+            whole.sum.closed = whole.sum.closed && part.closed;
+            whole.sum.volume += part.volume;
+            whole.sum.nPoints += part.nPoints;
+            whole.sum.cellSizes += part.cellSizes;
+        }
+    }
+    std::sort(
+        wholes.begin(), wholes.end(),
+        [](const Whole& a, const Whole& b) { return a.sum.lowest < b.sum.lowest; }
+    );
+    for (std::size_t i = 0; i < wholes.size(); ++i)
+    {
+        places[wholes[i].root] = i;
+    }
+    std::vector<List<Verdict>> verdicts(nRanks);
+    for (label ranki = 0; ranki < nRanks; ++ranki)
+    {
+        verdicts[ranki].setSize(parts[ranki].size());
+        forAll(parts[ranki], i)
+        {
+            const label place = places[sets.rootOf(starts[ranki] + i)];
+            const Part& sum = wholes[place].sum;
+            const scalar cellSize = sum.cellSizes / std::max(sum.nPoints, label(1));
+            verdicts[ranki][i] = {
+                place, wholes[place].home,
+                sum.closed && mayBeSubGrid(sum.volume, cellSize)};
+        }
+    }
+    return verdicts;
+}
+
+WholeComponents wholeComponents(
+    const SurfacePiece& held, const Components& components, const UList<bool>& chosen,
+    const Exchange& exchange
+)
+{
+    std::vector<DynamicList<label>> triangles(exchange.nRanks());
+    forAll(held.mesh.triangles, trianglei)
+    {
+        if (chosen[trianglei])
+        {
+            triangles[components.homeOf(trianglei)].append(trianglei);
+        }
+    }
+    const labelList numbers(components.ofHeldTriangles());
+    std::vector<Packet> packets(exchange.nRanks());
+    for (std::size_t ranki = 0; ranki < packets.size(); ++ranki)
+    {
+        if (!triangles[ranki].empty())
+        {
+            pack(partOf(held, triangles[ranki]), packets[ranki]);
+            packets[ranki].putList(
+                labelList(UList<label>(numbers), labelUList(triangles[ranki]))
+            );
+        }
+    }
+    std::vector<SurfacePiece> parts;
+    std::vector<labelList> numbersOfParts;
+    for (Packet& packet : exchange.exchange(std::move(packets)))
+    {
+        if (!packet.empty())
+        {
+            parts.push_back(unpackedSurface(packet));
+            numbersOfParts.push_back(packet.getList<label>());
+        }
+    }
+    WholeComponents result;
+    together(
+        exchange,
+        [&]
+        {
+            JoinedSurface joined(join(parts));
+            result.piece = std::move(joined.piece);
+            result.components = joinedValues(numbersOfParts, joined.triangleSources);
+        }
+    );
+    return result;
+}
+
+} // namespace Foam::stability

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "core/tracking/SpreadChart.H"
+
+#include "core/ranks/ExactSum.H"
+#include "core/tracking/SurfaceHalo.H"
+
+namespace Foam::stability
+{
+
+SpreadChart::SpreadChart(const SurfacePiece& held, const Exchange& exchange)
+    : held_(held), empty_(false)
+{
+    const InterfaceMesh& mesh = held.mesh;
+    List<ExactSum> sums(2);
+    for (const scalar h : mesh.cellSizes)
+    {
+        sums[0].add(h);
+        sums[1].add(1);
+    }
+    sum(sums, exchange);
+    meanCellSize_ = sums[0].value() / std::max(sums[1].value(), scalar(1));
+
+    const SurfaceTopology topology(mesh.points.size(), mesh.triangles);
+    const List<bool> own(mesh.triangles.size(), true);
+    Packet mine;
+    DynamicList<SeamNode> ends;
+    for (const SeamNode& node : seamShape(held, topology, own, exchange).nodes)
+    {
+        if (node.isEnd)
+        {
+            ends.append(node);
+        }
+    }
+    mine.putList(ends);
+    DynamicList<SeamNode> all;
+    for (Packet& packet : exchange.toAll(mine))
+    {
+        all.append(packet.getList<SeamNode>());
+    }
+    ends_ = List<SeamNode>(std::move(all));
+    if (exchange.nRanks() == 1)
+    {
+        alone_ = StartChart(mesh, meanCellSize_, ends_);
+    }
+}
+
+StartChart SpreadChart::around(
+    const InterfaceMesh& timeSurface, const pointField& unmatched,
+    const Exchange& exchange
+) const
+{
+    if (empty_ || exchange.nRanks() == 1)
+    {
+        return alone_;
+    }
+    // Interpolation leaves the triangles of T a little.
+    const scalar reach = 3 * StartChart::reach * meanCellSize_;
+    VoxelMask wanted(std::max(reach, scalar(VSMALL)));
+    for (const triFace& t : timeSurface.triangles)
+    {
+        const pointField& o = timeSurface.origins;
+        wanted.add(o[t[0]], o[t[1]], o[t[2]], reach);
+    }
+    for (const point& x : unmatched)
+    {
+        wanted.add(x, reach);
+    }
+    const SurfaceHalo halo(held_, wanted, exchange);
+    return StartChart(halo.mesh(), meanCellSize_, ends_);
+}
+
+} // namespace Foam::stability
