@@ -270,14 +270,7 @@ ParametrizationResult parametrize(
 ParametrizationResult
 parametrize(const InterfaceMesh& mesh, const ParametrizationOptions& options)
 {
-    SurfacePiece alone;
-    alone.mesh = mesh;
-    alone.keys.setSize(mesh.triangles.size());
-    forAll(alone.keys, i)
-    {
-        alone.keys[i].place = i;
-    }
-    return parametrize(alone, options, SerialExchange());
+    return parametrize(wholeSurface(mesh), options, SerialExchange());
 }
 
 } // namespace Foam::stability

@@ -238,15 +238,8 @@ SeamShape seamShape(
 
 SeamShape seamShape(const InterfaceMesh& mesh, const SurfaceTopology& topology)
 {
-    SurfacePiece piece;
-    piece.mesh = mesh;
-    piece.keys.setSize(mesh.triangles.size());
-    forAll(piece.keys, i)
-    {
-        piece.keys[i].place = i;
-    }
     const List<bool> own(mesh.triangles.size(), true);
-    return seamShape(piece, topology, own, SerialExchange());
+    return seamShape(wholeSurface(mesh), topology, own, SerialExchange());
 }
 
 } // namespace Foam::stability

@@ -158,6 +158,19 @@ List<CornerIndices> weldParameters(
 
 } // namespace
 
+SurfacePiece wholeSurface(const InterfaceMesh& mesh)
+{
+    SurfacePiece piece;
+    piece.mesh = mesh;
+    piece.seeds = mesh.points;
+    piece.keys.setSize(mesh.triangles.size());
+    forAll(piece.keys, i)
+    {
+        piece.keys[i].place = i;
+    }
+    return piece;
+}
+
 labelList
 keepOwn(SurfacePiece& piece, const InterfaceMesh& extracted, const CellComplex& complex)
 {

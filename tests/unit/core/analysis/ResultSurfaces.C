@@ -2,6 +2,7 @@
 // Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/analysis/ResultSurfaces.H"
+#include "core/parametrization/ChartPacking.H"
 
 #include <gtest/gtest.h>
 
@@ -74,7 +75,6 @@ Classification seamed()
     classification.timeSurface = surface;
     classification.timeSurface.stability[5] = Stability::detached;
     classification.timeSurface.nearWall[1] = true;
-    classification.statistics.time = 0.75;
     return classification;
 }
 
@@ -82,7 +82,7 @@ Classification seamed()
 
 TEST(ResultSurfaces, pointsAreSplitAlongTheSeamAndAtTheSwatch)
 {
-    const ResultSurface surface(interfaceSurface(seamed()));
+    const ResultSurface surface(interfaceSurface(seamed().interface, 0.75));
     // 0 1 2 3 | 2 3 4 | 3 4 5 on the swatch
     EXPECT_EQ(surface.points.size(), 10);
     EXPECT_EQ(surface.triangles.size(), 4);
@@ -106,7 +106,7 @@ TEST(ResultSurfaces, pointsAreSplitAlongTheSeamAndAtTheSwatch)
 TEST(ResultSurfaces, everyCornerKeepsItsOwnParameter)
 {
     const Classification classification(seamed());
-    const ResultSurface surface(interfaceSurface(classification));
+    const ResultSurface surface(interfaceSurface(classification.interface, 0.75));
     const InterfaceMesh& mesh = classification.interface.mesh;
     const std::vector<double>& parameter = arrayOf(surface, "parameter").values;
     const std::vector<double>& texture = arrayOf(surface, "TCoords").values;
@@ -129,7 +129,7 @@ TEST(ResultSurfaces, everyCornerKeepsItsOwnParameter)
 TEST(ResultSurfaces, arraysHaveTheirClassesAndSizes)
 {
     const Classification classification(seamed());
-    const ResultSurface surface(interfaceSurface(classification));
+    const ResultSurface surface(interfaceSurface(classification.interface, 0.75));
     for (const PointArray& array : surface.arrays)
     {
         EXPECT_EQ(
@@ -155,7 +155,7 @@ TEST(ResultSurfaces, arraysHaveTheirClassesAndSizes)
 
 TEST(ResultSurfaces, theTimeSurfaceKnowsWallsAndKeepsItsSeams)
 {
-    const ResultSurface surface(timeSurface(seamed()));
+    const ResultSurface surface(timeSurface(seamed().timeSurface, 0.75));
     // 0 1 2 3 | 2 3 4 | 5 without p: no swatch here
     EXPECT_EQ(surface.points.size(), 8);
     const std::vector<double>& vertex = arrayOf(surface, "vertex").values;
@@ -175,9 +175,9 @@ TEST(ResultSurfaces, theTimeSurfaceKnowsWallsAndKeepsItsSeams)
 
 TEST(ResultSurfaces, emptySurfacesHaveAllArrays)
 {
-    const ResultSurface surface(interfaceSurface(Classification()));
+    const ResultSurface surface(interfaceSurface(ClassifiedSurface(), 0.3));
     EXPECT_EQ(surface.points.size(), 0);
     EXPECT_EQ(surface.arrays.size(), 13u);
-    const ResultSurface cloud(particleCloud(InstabilityParticles(5), 0.3));
+    const ResultSurface cloud(particleCloud(List<InstabilityParticle>(), 0.3));
     EXPECT_EQ(cloud.arrays.size(), 10u);
 }

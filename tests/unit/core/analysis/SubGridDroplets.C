@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of interfaceStability, an extension of OpenFOAM.
 
-#include "core/analysis/SubGridDroplets.H"
+#include "core/analysis/SmallScales.H"
 #include "core/reconstruction/Reconstruction.H"
-#include "core/tracking/ClassifiedSurface.H"
 #include "shapes/BoxMesh.H"
 #include "shapes/ExactAlpha.H"
 
@@ -32,14 +31,22 @@ Found find(const shapes::Shape& shape, Sharpening sharpening = Sharpening::none)
     shapes::BoxOptions box;
     box.max = point(30, 30, 30) * h;
     box.n = Vector<label>(30, 30, 30);
-    const FlowSnapshot snapshot = shapes::snapshotOf(shapes::box(box), shape);
+    const auto snapshot =
+        std::make_shared<const FlowSnapshot>(shapes::snapshotOf(shapes::box(box), shape)
+        );
     ReconstructionOptions options;
     options.sharpening = sharpening;
-    const InterfaceMesh mesh = Reconstruction::New(options)->extract(snapshot).mesh;
-    const labelList components(pointComponents(mesh));
+    const SurfacePiece surface(
+        wholeSurface(Reconstruction::New(options)->extract(*snapshot).mesh)
+    );
+    const SerialExchange alone;
+    const SurfaceHalo halo(surface, VoxelMask(h), alone);
+    const SmallScales scales(
+        smallScales(surface, halo, Components(halo, centre, alone), snapshot, 1, alone)
+    );
     Found found;
-    found.droplets = subGridDroplets(mesh, components, snapshot);
-    const List<bool> flags(subGridPoints(components, found.droplets));
+    found.droplets = scales.droplets;
+    const List<bool>& flags = scales.subGrid;
     found.nPoints = flags.size();
     found.nFlagged = label(std::count(flags.begin(), flags.end(), true));
     return found;

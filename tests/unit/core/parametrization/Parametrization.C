@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of interfaceStability, an extension of OpenFOAM.
 
+#include "core/parametrization/ChartPacking.H"
 #include "core/parametrization/Parametrization.H"
 
 #include "core/Errors.H"
@@ -64,7 +65,7 @@ scalar parameterArea(const InterfaceMesh& mesh)
 
 void expectComplete(const ParametrizationResult& result)
 {
-    const InterfaceMesh& surface = result.surface;
+    const InterfaceMesh& surface = result.surface.mesh;
     const label nPoints = surface.points.size();
     ASSERT_GT(nPoints, 0);
     ASSERT_EQ(surface.corners.size(), surface.triangles.size());
@@ -92,7 +93,7 @@ void expectComplete(const ParametrizationResult& result)
 // In the square, clear of the swatch, one-to-one, at one scale.
 void expectInjective(const ParametrizationResult& result)
 {
-    const InterfaceMesh& surface = result.surface;
+    const InterfaceMesh& surface = result.surface.mesh;
     for (const vector2D& p : surface.parameters)
     {
         EXPECT_GE(min(p.x(), p.y()), 0);
@@ -117,8 +118,8 @@ TEST(Parametrization, OfARaggedSceneIsInjective)
     EXPECT_EQ(result.nKept, 1);
     EXPECT_GT(result.remeshingDistance, 0);
     EXPECT_LT(result.remeshingDistance, 0.25 * h);
-    EXPECT_NEAR(result.surface.area() / mesh.area(), 1, 0.05);
-    for (const scalar size : result.surface.cellSizes)
+    EXPECT_NEAR(result.surface.mesh.area() / mesh.area(), 1, 0.05);
+    for (const scalar size : result.surface.mesh.cellSizes)
     {
         EXPECT_EQ(size, h);
     }
@@ -130,10 +131,10 @@ TEST(Parametrization, KnowsTheBoundary)
     const ParametrizationResult result =
         parametrize(raggedScene(), ParametrizationOptions());
     label nOnBoundary = 0;
-    forAll(result.surface.points, i)
+    forAll(result.surface.mesh.points, i)
     {
-        const bool onFloor = result.surface.points[i].z() < -1 + 1e-9;
-        EXPECT_EQ(result.surface.boundaryFaces[i], onFloor ? 7 : -1);
+        const bool onFloor = result.surface.mesh.points[i].z() < -1 + 1e-9;
+        EXPECT_EQ(result.surface.mesh.boundaryFaces[i], onFloor ? 7 : -1);
         nOnBoundary += onFloor;
     }
     EXPECT_GT(nOnBoundary, 40);
@@ -145,7 +146,7 @@ TEST(Parametrization, HasSeamsWhereTopologyNeedsThem)
 {
     const ParametrizationResult result =
         parametrize(raggedScene(), ParametrizationOptions());
-    const InterfaceMesh& surface = result.surface;
+    const InterfaceMesh& surface = result.surface.mesh;
     const SurfaceTopology topology(surface.points.size(), surface.triangles);
     EXPECT_EQ(topology.nNonManifoldEdges(), 0);
     EXPECT_EQ(boundaryLoops(surface.points.size(), surface.triangles).size(), 1);
@@ -209,10 +210,10 @@ TEST(Parametrization, IsRepeatable)
     const InterfaceMesh mesh = raggedScene();
     const ParametrizationResult a = parametrize(mesh, ParametrizationOptions());
     const ParametrizationResult b = parametrize(mesh, ParametrizationOptions());
-    EXPECT_EQ(a.surface.points, b.surface.points);
-    EXPECT_EQ(a.surface.triangles, b.surface.triangles);
-    EXPECT_EQ(a.surface.parameters, b.surface.parameters);
-    EXPECT_EQ(a.surface.corners, b.surface.corners);
+    EXPECT_EQ(a.surface.mesh.points, b.surface.mesh.points);
+    EXPECT_EQ(a.surface.mesh.triangles, b.surface.mesh.triangles);
+    EXPECT_EQ(a.surface.mesh.parameters, b.surface.mesh.parameters);
+    EXPECT_EQ(a.surface.mesh.corners, b.surface.mesh.corners);
     EXPECT_EQ(a.scale, b.scale);
 }
 
@@ -231,7 +232,7 @@ TEST(Parametrization, OfNothingIsNothing)
 {
     const ParametrizationResult result =
         parametrize(InterfaceMesh(), ParametrizationOptions());
-    EXPECT_TRUE(result.surface.empty());
+    EXPECT_TRUE(result.surface.mesh.empty());
     EXPECT_EQ(result.nCharts, 0);
     EXPECT_EQ(result.nFallbacks, 0);
 }
@@ -249,7 +250,9 @@ TEST(Parametrization, LeavesOutWhatCannotBeFlattened)
         parametrize(asInterface(together({flat, cap}), 0.2), ParametrizationOptions());
     EXPECT_EQ(result.nCharts, 1);
     EXPECT_EQ(result.nFallbacks, 1);
-    EXPECT_FALSE(result.surface.parametrized(0));
-    EXPECT_TRUE(result.surface.parametrized(result.surface.triangles.size() - 1));
+    EXPECT_FALSE(result.surface.mesh.parametrized(0));
+    EXPECT_TRUE(
+        result.surface.mesh.parametrized(result.surface.mesh.triangles.size() - 1)
+    );
     expectInjective(result);
 }

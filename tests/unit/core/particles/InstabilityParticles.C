@@ -42,6 +42,8 @@ InterfaceMesh sheet(const CellComplex& complex, label n)
     mesh.origins = mesh.points + vector(0, 0, 0.1);
     mesh.parameters.setSize(n * n);
     mesh.cells.setSize(n * n);
+    mesh.boundaryFaces.setSize(n * n, -1);
+    mesh.cellSizes.setSize(n * n, 0.2);
     forAll(mesh.points, i)
     {
         mesh.parameters[i] = vector2D(mesh.points[i].x(), mesh.points[i].y());
@@ -60,11 +62,34 @@ InterfaceMesh sheet(const CellComplex& complex, label n)
 scalar totalWeight(const InstabilityParticles& particles)
 {
     scalar sum = 0;
-    for (const InstabilityParticle& particle : particles.all())
+    for (const InstabilityParticle& particle : particles.here())
     {
         sum += particle.weight;
     }
     return sum;
+}
+
+const SerialExchange alone;
+
+void detach(
+    InstabilityParticles& particles, const InterfaceMesh& mesh,
+    const List<bool>& detached, label component, const CellComplex& complex, scalar time
+)
+{
+    const SurfaceHalo halo(wholeSurface(mesh), VoxelMask(1), alone);
+    const label n = mesh.points.size();
+    ClassifiedSurface surface;
+    surface.mesh = halo.mesh();
+    surface.stability.setSize(n);
+    forAll(detached, pointi)
+    {
+        surface.stability[halo.placeOf(pointi)] =
+            detached[pointi] ? Stability::detached : Stability::stable;
+    }
+    surface.components = labelList(n, component);
+    surface.areas = halo.mesh().pointAreas();
+    surface.counted = halo.counted();
+    particles.seed(surface, halo, complex, time, alone);
 }
 
 } // namespace
@@ -77,10 +102,8 @@ TEST(InstabilityParticles, weightsOfADetachedSheetAddUpToItsArea)
     {
         const InterfaceMesh mesh(sheet(*complex, n));
         InstabilityParticles particles(100000);
-        particles.seed(
-            mesh, List<bool>(n * n, true), labelList(n * n, 3), *complex, 0.25
-        );
-        EXPECT_EQ(particles.size(), n * n + 2 * (n - 1) * (n - 1));
+        detach(particles, mesh, List<bool>(n * n, true), 3, *complex, 0.25);
+        EXPECT_EQ(particles.here().size(), n * n + 2 * (n - 1) * (n - 1));
         EXPECT_NEAR(totalWeight(particles), 0.68 * 0.5, 1e-14);
     }
 }
@@ -92,11 +115,13 @@ TEST(InstabilityParticles, rememberWhereTheyCameFrom)
     List<bool> detached(36, false);
     detached[14] = true;
     InstabilityParticles particles(1000);
-    particles.seed(mesh, detached, labelList(36, 3), *complex, 0.25);
+    detach(particles, mesh, detached, 3, *complex, 0.25);
 
-    ASSERT_EQ(particles.size(), 1 + 6); // the point and the six triangles around it
-    EXPECT_EQ(particles.all()[0].path.x, mesh.points[14]);
-    for (const InstabilityParticle& particle : particles.all())
+    ASSERT_EQ(
+        particles.here().size(), 1 + 6
+    ); // the point and the six triangles around it
+    EXPECT_EQ(particles.here()[0].path.x, mesh.points[14]);
+    for (const InstabilityParticle& particle : particles.here())
     {
         EXPECT_EQ(particle.detachmentTime, 0.25);
         EXPECT_EQ(particle.path.time, 0.25);
@@ -108,9 +133,9 @@ TEST(InstabilityParticles, rememberWhereTheyCameFrom)
         EXPECT_LT(mag(particle.origin - particle.path.x - vector(0, 0, 0.1)), 1e-14);
         EXPECT_TRUE(complex->holds(particle.path.hint.cell, particle.path.x));
     }
-    forAll(particles.all(), i)
+    forAll(particles.here(), i)
     {
-        EXPECT_EQ(particles.all()[i].path.id, i);
+        EXPECT_EQ(particles.here()[i].path.id, i);
     }
 }
 
@@ -119,9 +144,9 @@ TEST(InstabilityParticles, knowWhetherAWallWasNear)
     const auto complex = shapes::unitCube(5); // walls all around, cells of 0.2
     const InterfaceMesh mesh(sheet(*complex, 8));
     InstabilityParticles particles(1000);
-    particles.seed(mesh, List<bool>(64, true), labelList(64, 0), *complex, 0);
+    detach(particles, mesh, List<bool>(64, true), 0, *complex, 0);
     label n = 0;
-    for (const InstabilityParticle& particle : particles.all())
+    for (const InstabilityParticle& particle : particles.here())
     {
         // y and z keep away from the walls.
         EXPECT_EQ(particle.nearWall, particle.path.x.x() < 0.2);
@@ -137,14 +162,14 @@ TEST(InstabilityParticles, aCornerWithoutParameterDoesNotSpoilTheOthers)
     mesh.corners[0][1] = InterfaceMesh::noParameter;
     List<bool> detached(16, true);
     InstabilityParticles particles(1000);
-    particles.seed(mesh, detached, labelList(16, 0), *complex, 0);
-    const InstabilityParticle& centre = particles.all()[16];
+    detach(particles, mesh, detached, 0, *complex, 0);
+    const InstabilityParticle& centre = particles.here()[16];
     EXPECT_EQ(centre.parameter.x(), mesh.points[0].x());
 
     mesh.corners = CornerIndices(InterfaceMesh::noParameter);
     InstabilityParticles none(1000);
-    none.seed(mesh, detached, labelList(16, 0), *complex, 0);
-    for (const InstabilityParticle& particle : none.all())
+    detach(none, mesh, detached, 0, *complex, 0);
+    for (const InstabilityParticle& particle : none.here())
     {
         EXPECT_EQ(particle.parameter.x(), -1);
     }
@@ -155,7 +180,7 @@ TEST(InstabilityParticles, theCapCountsWhatItTurnsAway)
     const auto complex = shapes::unitCube(5);
     const InterfaceMesh mesh(sheet(*complex, 4));
     InstabilityParticles particles(20);
-    particles.seed(mesh, List<bool>(16, true), labelList(16, 0), *complex, 0);
-    EXPECT_EQ(particles.size(), 20);
+    detach(particles, mesh, List<bool>(16, true), 0, *complex, 0);
+    EXPECT_EQ(particles.here().size(), 20);
     EXPECT_EQ(particles.nSkipped(), 16 + 18 - 20);
 }

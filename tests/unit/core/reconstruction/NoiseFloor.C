@@ -18,6 +18,13 @@ using namespace Foam::stability;
 namespace
 {
 
+const SerialExchange alone;
+
+scalar quantileOf(const scalarField& values)
+{
+    return noiseQuantile(values, List<bool>(values.size(), true), alone);
+}
+
 struct Floors
 {
     scalar told = 0, truth = 0; // [cells]
@@ -42,7 +49,13 @@ Floors floorsOf(
     }
     const auto extract = [&](const ReconstructionOptions& other)
     { return Reconstruction::New(other)->extract(snapshot).mesh; };
-    return {noiseFloor(result, options, extract), noiseQuantile(errors)};
+    const scalarField spread(
+        result.sharpening ? result.sharpening->spread : scalarField(errors.size(), 0)
+    );
+    const List<bool> all(errors.size(), true);
+    return {
+        noiseFloor(result.mesh, spread, all, options, extract, alone),
+        noiseQuantile(errors, all, alone)};
 }
 
 const shapes::Shape ball = shapes::sphere(point(9.137, 8.732, 9.281), 4.8);
@@ -91,22 +104,23 @@ TEST(NoiseFloor, quantilesLeaveOneInAThousandOut)
     {
         values[i] = 2000 - i;
     }
-    EXPECT_EQ(noiseQuantile(values), 1998);
+    EXPECT_EQ(quantileOf(values), 1998);
     values.setSize(1001);
-    EXPECT_EQ(noiseQuantile(values), 1999);
-    EXPECT_EQ(noiseQuantile(scalarField(1, 0.7)), 0.7);
-    EXPECT_EQ(noiseQuantile(scalarField()), 0);
+    EXPECT_EQ(quantileOf(values), 1999);
+    EXPECT_EQ(quantileOf(scalarField(1, 0.7)), 0.7);
+    EXPECT_EQ(quantileOf(scalarField()), 0);
 }
 
 // Three of 2000 points stay.
 TEST(NoiseFloor, pointsThatStayAreAFifthOfACellOff)
 {
+    const List<bool> all(2000, true);
     scalarField spread(2000, 0.01);
     spread[0] = 0.5;
     spread[3] = spread[1200] = spread[1999] = -1;
-    EXPECT_EQ(spreadFloor(spread), 0.2);
+    EXPECT_EQ(spreadFloor(spread, all, alone), 0.2);
     spread[3] = spread[1200] = 0.01;
-    EXPECT_EQ(spreadFloor(spread), 0.01);
+    EXPECT_EQ(spreadFloor(spread, all, alone), 0.01);
 }
 
 // Half a metre apart, in cells of 0.4 and, at one point, of 0.1 m: farther than 3
@@ -123,11 +137,13 @@ TEST(NoiseFloor, differencesAreInCellsUpToThree)
         );
     };
     InterfaceMesh mesh(plane(0));
-    EXPECT_NEAR(differenceFloor(mesh, plane(0.5), 1), 1.25, 1e-12);
-    EXPECT_EQ(differenceFloor(mesh, plane(1.3), 1), 3);
-    EXPECT_EQ(differenceFloor(mesh, InterfaceMesh(), 1), 3);
+    const auto largestFrom = [&](const InterfaceMesh& other)
+    { return quantileOf(distancesFrom(other, mesh, 1)); };
+    EXPECT_NEAR(largestFrom(plane(0.5)), 1.25, 1e-12);
+    EXPECT_EQ(largestFrom(plane(1.3)), 3);
+    EXPECT_EQ(largestFrom(InterfaceMesh()), 3);
     mesh.cellSizes[20] = 0.1;
-    EXPECT_EQ(differenceFloor(mesh, plane(0.5), 1), 3);
+    EXPECT_EQ(largestFrom(plane(0.5)), 3);
 }
 
 TEST(NoiseFloor, withoutAnInterfaceThereIsNone)

@@ -114,7 +114,7 @@ TEST(CarriedOrigins, bringMeetingsToWhereTheyBegan)
     const MatchTarget target(T, MatchingOptions());
     const CarriedOrigins origins(target, chart);
     label nMeetings = 0;
-    for (const SeamNode& node : origins.settled(ParameterSheets(target).nodes()))
+    for (const SeamNode& node : origins.settled(seamShape(T, target.topology()).nodes))
     {
         if (node.isEnd)
         {

@@ -3,8 +3,6 @@
 
 #include "core/tracking/ClassifiedSurface.H"
 
-#include "shapes/BoxMesh.H"
-
 #include <gtest/gtest.h>
 
 using namespace Foam;
@@ -44,8 +42,8 @@ List<Match> matches(const InterfaceMesh& mesh)
 scalarField speeds(Stability unmatched, scalar interval)
 {
     const InterfaceMesh mesh(oneTriangle());
-    const auto complex = shapes::unitCube(2);
-    return describe(mesh, matches(mesh), unmatched, *complex, interval).driftSpeed;
+    return describe(mesh, matches(mesh), unmatched, List<bool>(3, false), interval)
+        .driftSpeed;
 }
 
 } // namespace
@@ -72,7 +70,7 @@ TEST(ClassifiedSurface, confidenceIsTheWayToEpsilonInFloors)
 {
     const InterfaceMesh mesh(oneTriangle());
     const ClassifiedSurface surface(
-        describe(mesh, matches(mesh), Stability::detached, *shapes::unitCube(2), 0.25)
+        describe(mesh, matches(mesh), Stability::detached, List<bool>(3, false), 0.25)
     );
     const scalarField relative(confidences(surface, Epsilon{0.5, true}, 0.04));
     EXPECT_NEAR(relative[0], 7.5, 1e-12);
@@ -87,7 +85,7 @@ TEST(ClassifiedSurface, confidenceEndsAtAThousand)
 {
     const InterfaceMesh mesh(oneTriangle());
     const ClassifiedSurface surface(
-        describe(mesh, matches(mesh), Stability::detached, *shapes::unitCube(2), 0.25)
+        describe(mesh, matches(mesh), Stability::detached, List<bool>(3, false), 0.25)
     );
     const scalarField fine(confidences(surface, Epsilon{0.5, true}, 2e-4));
     EXPECT_EQ(fine[0], 1000);

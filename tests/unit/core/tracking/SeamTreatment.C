@@ -359,7 +359,8 @@ TEST(SeamTreatment, bisectionFindsEverySeam)
     const InterfaceMesh from = chartedSquare(stripes);
     const MatchingOptions matching;
     const MatchTarget target(from, matching);
-    const ParameterSheets sheets(target);
+    const SeamShape seams(seamShape(from, target.topology()));
+    const ParameterSheets sheets(target, seams);
     const TransferOptions options;
     const SeamBisection bisection(target, sheets, options);
     const vector up(0, 0, 1);

@@ -52,7 +52,7 @@ std::shared_ptr<const CellComplex> openCube(label n)
 scalar particleWeight(const InstabilityParticles& particles)
 {
     scalar sum = 0;
-    for (const InstabilityParticle& particle : particles.all())
+    for (const InstabilityParticle& particle : particles.here())
     {
         sum += particle.weight;
     }
@@ -324,23 +324,23 @@ TEST(StabilityTracker, anInterfaceThatMovesWithoutTheFlowDetachesAndAttaches)
         particleWeight(tracker.particles()), result.timeSurface.mesh.area(), 1e-12
     );
     EXPECT_EQ(
-        tracker.particles().size(),
+        tracker.particles().here().size(),
         result.timeSurface.mesh.points.size() + result.timeSurface.mesh.triangles.size()
     );
     EXPECT_NEAR(result.statistics.detachedFraction[7], 1, 1e-12);
 
     // They drift on with the flow, none is seeded twice.
-    const label n = tracker.particles().size();
-    const point before = tracker.particles().all()[7].path.x;
+    const label n = tracker.particles().here().size();
+    const point before = tracker.particles().here()[7].path.x;
     const vector U(0, 0, 0.2);
     tracker.advance(snapshot(complex, shapes::sphere(far + 0.05 * U, 0.08), U, 0.2));
     tracker.classify();
-    EXPECT_EQ(tracker.particles().size(), n);
+    EXPECT_EQ(tracker.particles().here().size(), n);
     // U grows linearly from 0 to U over 0.1 s
     EXPECT_LT(
-        mag(tracker.particles().all()[7].path.x - before - 0.05 * U * 0.2 / 0.2), 1e-9
+        mag(tracker.particles().here()[7].path.x - before - 0.05 * U * 0.2 / 0.2), 1e-9
     );
-    EXPECT_EQ(tracker.particles().all()[7].detachmentTime, 0.1);
+    EXPECT_EQ(tracker.particles().here()[7].detachmentTime, 0.1);
 }
 
 TEST(StabilityTracker, anInterfaceThatAppearsLaterIsAttachedThenTracked)
@@ -358,7 +358,7 @@ TEST(StabilityTracker, anInterfaceThatAppearsLaterIsAttachedThenTracked)
     EXPECT_EQ(born.statistics.stableArea, 0);
     EXPECT_GT(born.statistics.attachedArea, 0.3);
     EXPECT_TRUE(born.parametrization);
-    EXPECT_EQ(tracker.particles().size(), 0);
+    EXPECT_EQ(tracker.particles().here().size(), 0);
 
     tracker.advance(snapshot(complex, shapes::sphere(centre, radius), Zero, 2));
     const Classification& later = tracker.classify();
@@ -380,7 +380,7 @@ TEST(StabilityTracker, anInterfaceThatVanishesDetachesOnce)
         EXPECT_EQ(statistics.detachedElsewhere > 0, step == 1);
         EXPECT_EQ(statistics.area, 0);
     }
-    EXPECT_GT(tracker.particles().size(), 0);
+    EXPECT_GT(tracker.particles().here().size(), 0);
 }
 
 TEST(StabilityTracker, manyAdvancesAreOneInterval)
@@ -435,7 +435,7 @@ TEST(StabilityTracker, whatLeavesIsNeitherStableNorDetached)
     EXPECT_NEAR(statistics.leftArea, 1, 1e-9);
     EXPECT_EQ(statistics.detachedElsewhere + statistics.detachedNearWall, 0);
     EXPECT_EQ(statistics.area, 0);
-    EXPECT_EQ(tracker.particles().size(), 0);
+    EXPECT_EQ(tracker.particles().here().size(), 0);
 }
 
 TEST(StabilityTracker, refusesTimeThatGoesBackAndUnknownMethods)
@@ -478,7 +478,7 @@ TEST(StabilityTracker, threadsChangeNothing)
         const Classification& result = tracker.classify();
         meshes[run] = result.interface.mesh;
         distances[run] = result.interface.distance;
-        EXPECT_GT(tracker.particles().size(), 0);
+        EXPECT_GT(tracker.particles().here().size(), 0);
     }
     EXPECT_EQ(meshes[0].points, meshes[1].points);
     EXPECT_EQ(meshes[0].origins, meshes[1].origins);
