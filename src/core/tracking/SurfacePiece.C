@@ -174,6 +174,11 @@ SurfacePiece wholeSurface(const InterfaceMesh& mesh)
 labelList
 keepOwn(SurfacePiece& piece, const InterfaceMesh& extracted, const CellComplex& complex)
 {
+    if (extracted.triangleCells.empty())
+    {
+        piece = wholeSurface(extracted); // made elsewhere, in its own order
+        return identity(extracted.points.size());
+    }
     DynamicList<label> own;
     forAll(extracted.triangles, i)
     {
