@@ -137,12 +137,13 @@ joined(const InterfaceMesh& mesh, const List<Patch>& patches, const List<Piece>&
 }
 
 Piece flattened(
-    const InterfaceMesh& mesh, const Patch& patch, const ParametrizationOptions& options
+    const InterfaceMesh& mesh, const Patch& patch, const Flattening& method,
+    scalar edgeLength
 )
 {
     Piece piece;
-    piece.copy = remesh(patch.surface, options.edgeLength * meanCellSize(mesh, patch));
-    piece.chart = makeChart(piece.copy.surface, *Flattening::New(options.flattening));
+    piece.copy = remesh(patch.surface, edgeLength * meanCellSize(mesh, patch));
+    piece.chart = makeChart(piece.copy.surface, method);
     piece.copy.surface.points = piece.chart.points;
     piece.parameters = upright(piece.chart.parameters);
     return piece;
@@ -236,6 +237,8 @@ ParametrizationResult parametrize(
     const Exchange& exchange
 )
 {
+    // Alike on all ranks, also on those without components, and the user's fault.
+    const std::unique_ptr<Flattening> method = Flattening::New(options.flattening);
     ParametrizationResult result;
     List<Patch> patches;
     List<Piece> pieces;
@@ -248,7 +251,8 @@ ParametrizationResult parametrize(
             forAll(patches, i)
             {
                 Piece& piece = pieces[i];
-                piece = flattened(interface.mesh, patches[i], options);
+                piece =
+                    flattened(interface.mesh, patches[i], *method, options.edgeLength);
                 result.nCharts += !piece.chart.parameters.empty();
                 result.nFallbacks += piece.chart.fallback;
                 result.nKept += piece.copy.kept;
