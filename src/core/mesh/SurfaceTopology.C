@@ -3,8 +3,9 @@
 
 #include "core/mesh/SurfaceTopology.H"
 
+#include "core/mesh/DisjointSets.H"
+
 #include <algorithm>
-#include <numeric>
 #include <vector>
 
 namespace Foam::stability
@@ -25,16 +26,6 @@ struct Side
                           : 3 * trianglei + k < 3 * s.trianglei + s.k;
     }
 };
-
-label rootOf(labelList& parents, label i)
-{
-    while (parents[i] != i)
-    {
-        parents[i] = parents[parents[i]];
-        i = parents[i];
-    }
-    return i;
-}
 
 } // namespace
 
@@ -71,8 +62,7 @@ SurfaceTopology::SurfaceTopology(label nPoints, const UList<triFace>& triangles)
     }
     std::sort(sides.begin(), sides.end());
 
-    labelList parents(triangles.size());
-    std::iota(parents.begin(), parents.end(), label(0));
+    DisjointSets sets(triangles.size());
     DynamicList<SurfaceEdge> edges(2 * triangles.size());
     for (const Side& side : sides)
     {
@@ -88,24 +78,21 @@ SurfaceTopology::SurfaceTopology(label nPoints, const UList<triFace>& triangles)
         ++edge.nTriangles;
         triangleEdges_[side.trianglei][side.k] = edges.size() - 1;
 
-        // The lower root stays, so that a root is its component's lowest triangle.
-        const label r = rootOf(parents, edge.triangles[0]);
-        const label s = rootOf(parents, side.trianglei);
-        parents[std::max(r, s)] = std::min(r, s);
+        sets.unite(edge.triangles[0], side.trianglei);
     }
     edges_ = std::move(edges);
-    numberComponents(nPoints, triangles, parents);
+    numberComponents(nPoints, triangles, sets);
 }
 
 void SurfaceTopology::numberComponents(
-    label nPoints, const UList<triFace>& triangles, labelList& parents
+    label nPoints, const UList<triFace>& triangles, DisjointSets& sets
 )
 {
     labelList lowestPoint(triangles.size(), nPoints);
     std::vector<label> roots;
     forAll(triangles, trianglei)
     {
-        const label root = rootOf(parents, trianglei);
+        const label root = sets.root(trianglei);
         if (root == trianglei)
         {
             roots.push_back(root);
@@ -126,7 +113,7 @@ void SurfaceTopology::numberComponents(
     }
     forAll(triangles, trianglei)
     {
-        components_[trianglei] = components_[rootOf(parents, trianglei)];
+        components_[trianglei] = components_[sets.root(trianglei)];
     }
 }
 

@@ -3,51 +3,14 @@
 
 #include "core/parametrization/SurfaceShape.H"
 
+#include "core/mesh/DisjointSets.H"
 #include "DynamicList.H"
-
-#include <numeric>
 
 namespace Foam::stability
 {
 
 namespace
 {
-
-// Corner of the triangle at which the point stands.
-label cornerOf(const triFace& t, label pointi)
-{
-    return t[0] == pointi ? 0 : t[1] == pointi ? 1 : 2;
-}
-
-// Sets of corners (3 trianglei + k) that become one vertex.
-class CornerSets
-{
-public:
-    explicit CornerSets(label n) : parents_(n)
-    {
-        std::iota(parents_.begin(), parents_.end(), 0);
-    }
-
-    label root(label i)
-    {
-        while (parents_[i] != i)
-        {
-            parents_[i] = parents_[parents_[i]];
-            i = parents_[i];
-        }
-        return i;
-    }
-
-    void unite(label i, label j)
-    {
-        i = root(i);
-        j = root(j);
-        parents_[max(i, j)] = min(i, j);
-    }
-
-private:
-    labelList parents_;
-};
 
 // Per point the next one along the boundary, -1 inside; false where a point has
 // several.
@@ -95,7 +58,7 @@ Fans splitFans(
     const UList<bool>& cutEdges
 )
 {
-    CornerSets sets(3 * triangles.size());
+    DisjointSets sets(3 * triangles.size());
     forAll(triangles, trianglei)
     {
         for (label k = 0; k < 3; ++k)

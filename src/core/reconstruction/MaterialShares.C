@@ -35,7 +35,7 @@ class ShareFinder
 {
 public:
     ShareFinder(
-        const InterfaceMesh& mesh, const SurfacePieces& pieces,
+        const InterfaceMesh& mesh, const ConnectedPieces& pieces,
         const CellComplex& complex, const VolumeFractions& fractions, label nThreads
     )
         : mesh_(mesh), pieces_(pieces), complex_(complex), alpha_(fractions.cells),
@@ -291,7 +291,7 @@ private:
     }
 
     const InterfaceMesh& mesh_;
-    const SurfacePieces& pieces_;
+    const ConnectedPieces& pieces_;
     const CellComplex& complex_;
     const scalarField& alpha_;
     label nThreads_;
@@ -305,8 +305,8 @@ private:
 } // namespace
 
 std::vector<MaterialShare> materialShares(
-    const InterfaceMesh& mesh, const SurfacePieces& pieces, const CellComplex& complex,
-    const VolumeFractions& fractions, label nThreads
+    const InterfaceMesh& mesh, const ConnectedPieces& pieces,
+    const CellComplex& complex, const VolumeFractions& fractions, label nThreads
 )
 {
     return ShareFinder(mesh, pieces, complex, fractions, nThreads).run();

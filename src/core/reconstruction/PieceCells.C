@@ -12,7 +12,7 @@ PieceCells::PieceCells(const InterfaceMesh& mesh, const CellComplex& complex)
 {
 }
 
-const std::vector<label>& PieceCells::of(const SurfacePiece& piece)
+const std::vector<label>& PieceCells::of(const ConnectedPiece& piece)
 {
     ++piece_;
     cells_.clear();

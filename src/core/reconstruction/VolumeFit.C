@@ -27,7 +27,7 @@ public:
           directions_(mesh.pointNormals()), moves_(mesh.points.size(), Zero),
           moved_(mesh.points), fitted_(pieces_.all.size(), 0)
     {
-        for (const SurfacePiece& piece : pieces_.all)
+        for (const ConnectedPiece& piece : pieces_.all)
         {
             result_.nClosed += piece.closed;
         }
@@ -88,7 +88,7 @@ private:
     }
 
     // Its points, all by this distance [m] along their directions.
-    scalar volumeAt(const SurfacePiece& piece, scalar distance)
+    scalar volumeAt(const ConnectedPiece& piece, scalar distance)
     {
         for (const label pointi : piece.points)
         {
@@ -100,7 +100,7 @@ private:
     void fit(std::size_t i)
     {
         constexpr scalar openShare = 1e-6;
-        const SurfacePiece& piece = pieces_.all[i];
+        const ConnectedPiece& piece = pieces_.all[i];
         if (shares_[i].openVolume > openShare * mag(target(i)))
         {
             ++result_.nOpen;
@@ -135,7 +135,7 @@ private:
     scalar distanceFor(std::size_t i, scalar limit)
     {
         constexpr label maxIterations = 100;
-        const SurfacePiece& piece = pieces_.all[i];
+        const ConnectedPiece& piece = pieces_.all[i];
         scalar low = -limit, high = limit;
         scalar lowExcess = volumeAt(piece, low) - target(i);
         scalar highExcess = volumeAt(piece, high) - target(i);
@@ -157,7 +157,7 @@ private:
         return distance;
     }
 
-    bool folds(const SurfacePiece& piece) const
+    bool folds(const ConnectedPiece& piece) const
     {
         const auto area = [](const pointField& x, const triFace& t)
         { return (x[t[1]] - x[t[0]]) ^ (x[t[2]] - x[t[0]]); };
@@ -182,7 +182,7 @@ private:
             again = false;
             for (std::size_t i = 0; i < pieces_.all.size(); ++i)
             {
-                const SurfacePiece& piece = pieces_.all[i];
+                const ConnectedPiece& piece = pieces_.all[i];
                 if (fitted_[i]
                     && !isExact(i, volumeWithin(piece, mesh_.triangles, mesh_.points)))
                 {
@@ -210,7 +210,7 @@ private:
 
     InterfaceMesh& mesh_;
     const CellComplex& complex_;
-    SurfacePieces pieces_;
+    ConnectedPieces pieces_;
     vectorField directions_;            // per point, unit or zero
     std::vector<MaterialShare> shares_; // per piece
     vectorField moves_;                 // per point [m]

@@ -4,10 +4,10 @@
 #include "core/tracking/Components.H"
 
 #include "core/analysis/SubGridDroplets.H"
+#include "core/mesh/DisjointSets.H"
 #include "core/mesh/SurfaceTopology.H"
 
 #include <algorithm>
-#include <numeric>
 #include <set>
 
 namespace Foam::stability
@@ -15,34 +15,6 @@ namespace Foam::stability
 
 namespace
 {
-
-// Sets that are joined; a root is the lowest of its set.
-class Sets
-{
-public:
-    explicit Sets(label n) : parents_(n)
-    {
-        std::iota(parents_.begin(), parents_.end(), label(0));
-    }
-
-    label rootOf(label i)
-    {
-        while (parents_[i] != i)
-        {
-            i = parents_[i] = parents_[parents_[i]];
-        }
-        return i;
-    }
-
-    void join(label i, label j)
-    {
-        const label r = rootOf(i), s = rootOf(j);
-        parents_[std::max(r, s)] = std::min(r, s);
-    }
-
-private:
-    labelList parents_;
-};
 
 template<class T>
 std::vector<List<T>> toMaster(const List<T>& mine, const Exchange& exchange)
@@ -114,7 +86,7 @@ labelList Components::ofHeldTriangles() const
 void Components::numberParts(const SurfaceHalo& halo, const SurfaceTopology& topology)
 {
     const label n = halo.mesh().triangles.size();
-    Sets sets(n);
+    DisjointSets sets(n);
     labelList first(topology.edges().size(), -1); // own triangle at an edge
     label nOwn = 0;
     for (label trianglei = 0; trianglei < n; ++trianglei)
@@ -128,7 +100,7 @@ void Components::numberParts(const SurfaceHalo& halo, const SurfaceTopology& top
                 {
                     first[edgei] = trianglei;
                 }
-                sets.join(first[edgei], trianglei);
+                sets.unite(first[edgei], trianglei);
             }
         }
     }
@@ -138,7 +110,7 @@ void Components::numberParts(const SurfaceHalo& halo, const SurfaceTopology& top
     {
         if (halo.isOwn(trianglei))
         {
-            label& number = numbers[sets.rootOf(trianglei)];
+            label& number = numbers[sets.root(trianglei)];
             number = number < 0 ? nParts_++ : number;
             ofTriangles_[halo.ownTriangle(trianglei)] = number;
         }
@@ -236,12 +208,12 @@ std::vector<List<Components::Verdict>> Components::judge(
     {
         starts[ranki + 1] = starts[ranki] + parts[ranki].size();
     }
-    Sets sets(starts[nRanks]);
+    DisjointSets sets(starts[nRanks]);
     for (label ranki = 0; ranki < nRanks; ++ranki)
     {
         for (const Contact& contact : contacts[ranki])
         {
-            sets.join(
+            sets.unite(
                 starts[ranki] + contact.own,
                 starts[contact.other.first()] + contact.other.second()
             );
@@ -259,7 +231,7 @@ std::vector<List<Components::Verdict>> Components::judge(
     {
         forAll(parts[ranki], i)
         {
-            const label root = sets.rootOf(starts[ranki] + i);
+            const label root = sets.root(starts[ranki] + i);
             const Part& part = parts[ranki][i];
             if (places[root] < 0)
             {
@@ -293,7 +265,7 @@ std::vector<List<Components::Verdict>> Components::judge(
         verdicts[ranki].setSize(parts[ranki].size());
         forAll(parts[ranki], i)
         {
-            const label place = places[sets.rootOf(starts[ranki] + i)];
+            const label place = places[sets.root(starts[ranki] + i)];
             const Part& sum = wholes[place].sum;
             const scalar cellSize = sum.cellSizes / std::max(sum.nPoints, label(1));
             verdicts[ranki][i] = {

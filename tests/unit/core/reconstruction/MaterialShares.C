@@ -25,7 +25,7 @@ std::shared_ptr<const CellComplex> boxOf(label n)
 struct Shares
 {
     InterfaceMesh mesh;
-    std::vector<SurfacePiece> pieces;
+    std::vector<ConnectedPiece> pieces;
     std::vector<MaterialShare> shares;
 
     // [m3], with the sign of the piece.
@@ -40,7 +40,7 @@ Shares sharesOf(
     const FlowSnapshot snapshot = shapes::snapshotOf(complex, alpha);
     Shares result;
     result.mesh = Reconstruction::New(ReconstructionOptions())->extract(snapshot).mesh;
-    const SurfacePieces pieces(result.mesh);
+    const ConnectedPieces pieces(result.mesh);
     result.shares = materialShares(
         result.mesh, pieces, *complex, VolumeFractions(snapshot), nThreads
     );

@@ -29,10 +29,10 @@ TEST(PieceCells, allThatAPieceCutsAndNoneFarAway)
         const InterfaceMesh mesh = Reconstruction::New(ReconstructionOptions())
                                        ->extract(shapes::snapshotOf(complex, balls))
                                        .mesh;
-        const SurfacePieces pieces(mesh);
+        const ConnectedPieces pieces(mesh);
         ASSERT_EQ(pieces.all.size(), 2u);
         PieceCells finder(mesh, *complex);
-        for (const SurfacePiece& piece : pieces.all)
+        for (const ConnectedPiece& piece : pieces.all)
         {
             std::vector<label> cells = finder.of(piece);
             std::sort(cells.begin(), cells.end());

@@ -5,7 +5,7 @@
 // the shape by itself.
 
 #include "core/reconstruction/Reconstruction.H"
-#include "core/reconstruction/SurfacePieces.H"
+#include "core/reconstruction/ConnectedPieces.H"
 #include "core/Errors.H"
 #include "shapes/ExactAlpha.H"
 #include "shapes/PolyMeshes.H"
@@ -68,7 +68,7 @@ scalar materialIn(const CellComplex& complex, const scalarField& alpha)
 std::vector<scalar> closedVolumes(const InterfaceMesh& mesh)
 {
     std::vector<scalar> volumes;
-    for (const SurfacePiece& piece : SurfacePieces(mesh).all)
+    for (const ConnectedPiece& piece : ConnectedPieces(mesh).all)
     {
         if (piece.closed)
         {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of interfaceStability, an extension of OpenFOAM.
 
-#include "core/reconstruction/SurfacePieces.H"
+#include "core/reconstruction/ConnectedPieces.H"
 
 #include "core/mesh/SurfaceTopology.H"
 
@@ -11,7 +11,7 @@
 namespace Foam::stability
 {
 
-SurfacePieces::SurfacePieces(const InterfaceMesh& mesh)
+ConnectedPieces::ConnectedPieces(const InterfaceMesh& mesh)
 {
     const SurfaceTopology topology(mesh.points.size(), mesh.triangles);
     ofTriangles = topology.components();
@@ -29,17 +29,17 @@ SurfacePieces::SurfacePieces(const InterfaceMesh& mesh)
     {
         if (ofPoints[pointi] >= 0)
         {
-            SurfacePiece& piece = all[ofPoints[pointi]];
+            ConnectedPiece& piece = all[ofPoints[pointi]];
             piece.points.push_back(pointi);
             piece.closed = piece.closed && mesh.boundaryFaces[pointi] < 0;
         }
     }
     for (const SurfaceEdge& edge : topology.edges())
     {
-        SurfacePiece& piece = all[ofTriangles[edge.triangles[0]]];
+        ConnectedPiece& piece = all[ofTriangles[edge.triangles[0]]];
         piece.closed = piece.closed && edge.nTriangles == 2;
     }
-    for (SurfacePiece& piece : all)
+    for (ConnectedPiece& piece : all)
     {
         piece.volume =
             piece.closed ? volumeWithin(piece, mesh.triangles, mesh.points) : 0;
@@ -48,7 +48,8 @@ SurfacePieces::SurfacePieces(const InterfaceMesh& mesh)
 
 // Tetrahedra from one of its points, against round-off far from the origin.
 scalar volumeWithin(
-    const SurfacePiece& piece, const UList<triFace>& triangles, const pointField& points
+    const ConnectedPiece& piece, const UList<triFace>& triangles,
+    const pointField& points
 )
 {
     const point apex = points[piece.points[0]];
@@ -63,7 +64,7 @@ scalar volumeWithin(
     return sum / 6;
 }
 
-PieceColumns::PieceColumns(const InterfaceMesh& mesh, const SurfacePiece& piece)
+PieceColumns::PieceColumns(const InterfaceMesh& mesh, const ConnectedPiece& piece)
     : mesh_(mesh), piece_(piece)
 {
     constexpr scalar trianglesPerBin = 2;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of interfaceStability, an extension of OpenFOAM.
 
-#include "core/reconstruction/SurfacePieces.H"
+#include "core/reconstruction/ConnectedPieces.H"
 #include "core/reconstruction/Reconstruction.H"
 #include "shapes/ExactAlpha.H"
 #include "shapes/PolyMeshes.H"
@@ -42,14 +42,14 @@ shapes::Shape shellAndBall()
 
 } // namespace
 
-TEST(SurfacePieces, whatIsClosedAndWhichWayRound)
+TEST(ConnectedPieces, whatIsClosedAndWhichWayRound)
 {
     const InterfaceMesh surface = surfaceOf(mesh(18), shellAndBall());
-    const SurfacePieces pieces(surface);
+    const ConnectedPieces pieces(surface);
     ASSERT_EQ(pieces.all.size(), 3u);
     std::size_t nTriangles = 0, nPoints = 0;
     label nClosed = 0;
-    for (const SurfacePiece& piece : pieces.all)
+    for (const ConnectedPiece& piece : pieces.all)
     {
         nTriangles += piece.triangles.size();
         nPoints += piece.points.size();
@@ -64,12 +64,12 @@ TEST(SurfacePieces, whatIsClosedAndWhichWayRound)
     EXPECT_EQ(nPoints, std::size_t(surface.points.size()));
 }
 
-TEST(SurfacePieces, theVolumesInAllCellsAreThatOfThePiece)
+TEST(ConnectedPieces, theVolumesInAllCellsAreThatOfThePiece)
 {
     const auto complex = mesh(18);
     const InterfaceMesh surface = surfaceOf(complex, shellAndBall());
-    const SurfacePieces pieces(surface);
-    for (const SurfacePiece& piece : pieces.all)
+    const ConnectedPieces pieces(surface);
+    for (const ConnectedPiece& piece : pieces.all)
     {
         if (!piece.closed)
         {
@@ -95,7 +95,7 @@ TEST(SurfacePieces, theVolumesInAllCellsAreThatOfThePiece)
     }
 }
 
-TEST(SurfacePieces, nothingIsNoPiece)
+TEST(ConnectedPieces, nothingIsNoPiece)
 {
-    EXPECT_TRUE(SurfacePieces(InterfaceMesh()).all.empty());
+    EXPECT_TRUE(ConnectedPieces(InterfaceMesh()).all.empty());
 }
