@@ -38,14 +38,83 @@ struct Entry
     scalar weight;
 };
 
-// The search for one quantile: it lies in [low, high].
-struct Search
-{
-    Bits low = 0, high = bitsOf(VGREAT);
-    std::size_t first = 0, last; // of the entries that may still decide
-    ExactSum before;             // weight of those before them
+constexpr Bits largestBits = 0x7fefffffffffffff; // of the largest finite value
 
-    Bits middle() const { return low + (high - low) / 2; }
+ExactSum
+weightOf(const std::vector<Entry>& entries, std::size_t first, std::size_t last)
+{
+    ExactSum weight;
+    for (; first < last; ++first)
+    {
+        weight.add(entries[first].weight);
+    }
+    return weight;
+}
+
+// The search for one quantile: it lies in [low, high].
+class Search
+{
+public:
+    Search(const std::vector<Entry>& entries, scalar wanted, const ExactSum& weight)
+        : entries_(entries), wanted_(wanted), last_(entries.size()), inside_(weight)
+    {
+    }
+
+    // The weight here of what does not exceed the middle of the interval.
+    ExactSum weightUpToMiddle()
+    {
+        end_ = std::upper_bound(
+                   entries_.begin() + first_, entries_.begin() + last_, middle(),
+                   [](Bits value, const Entry& entry) { return value < entry.value; }
+               )
+               - entries_.begin();
+        // Of both parts the shorter one is summed: in all every entry about once.
+        if (end_ - first_ < last_ - end_)
+        {
+            lower_ = weightOf(entries_, first_, end_);
+        }
+        else
+        {
+            lower_ = inside_;
+            lower_.subtract(weightOf(entries_, end_, last_));
+        }
+        ExactSum weight(before_);
+        weight.add(lower_);
+        return weight;
+    }
+
+    // Halves the interval by that weight of all ranks.
+    void halve(scalar weight)
+    {
+        if (low_ == high_)
+        {
+            return;
+        }
+        if (weight >= wanted_)
+        {
+            high_ = middle();
+            last_ = end_;
+            inside_ = lower_;
+        }
+        else
+        {
+            low_ = middle() + 1;
+            first_ = end_;
+            before_.add(lower_);
+            inside_.subtract(lower_);
+        }
+    }
+
+    scalar found() const { return valueOf(low_); }
+
+private:
+    Bits middle() const { return low_ + (high_ - low_) / 2; }
+
+    const std::vector<Entry>& entries_;
+    scalar wanted_; // weight of all ranks up to the quantile
+    Bits low_ = 0, high_ = largestBits;
+    std::size_t first_ = 0, last_, end_ = 0; // of entries in the interval; of its half
+    ExactSum before_, inside_, lower_;       // weights of those
 };
 
 std::vector<Entry> sorted(const scalarField& values, const scalarField& weights)
@@ -73,66 +142,38 @@ std::vector<scalar> weightedQuantiles(
 )
 {
     const std::vector<Entry> entries(sorted(values, weights));
-    List<ExactSum> total(1);
-    for (const Entry& entry : entries)
-    {
-        total[0].add(entry.weight);
-    }
-    sum(total, exchange);
-    const scalar all = total[0].value();
-    if (!(all > 0))
+    const ExactSum here(weightOf(entries, 0, entries.size()));
+    List<ExactSum> sums(1, here);
+    sum(sums, exchange);
+    const scalar total = sums[0].value();
+    if (!(total > 0))
     {
         return std::vector<scalar>(fractions.size(), 0);
     }
 
-    std::vector<Search> searches(fractions.size());
-    for (Search& search : searches)
+    std::vector<Search> searches;
+    for (const scalar fraction : fractions)
     {
-        search.last = entries.size();
+        searches.emplace_back(entries, fraction * total, here);
     }
+    sums.setSize(label(searches.size()));
     // All ranks halve the same intervals, so that all end together.
-    for (Bits width = bitsOf(VGREAT); width > 0; width /= 2)
+    for (Bits width = largestBits; width > 0; width /= 2)
     {
-        List<ExactSum> here(label(searches.size()));
-        std::vector<std::size_t> ends(searches.size());
+        std::transform(
+            searches.begin(), searches.end(), sums.begin(),
+            [](Search& search) { return search.weightUpToMiddle(); }
+        );
+        sum(sums, exchange);
         for (std::size_t i = 0; i < searches.size(); ++i)
         {
-            const Search& search = searches[i];
-            here[i] = search.before;
-            std::size_t& end = ends[i];
-            for (end = search.first;
-                 end < search.last && entries[end].value <= search.middle(); ++end)
-            {
-                here[i].add(entries[end].weight);
-            }
-        }
-        List<ExactSum> everywhere(here);
-        sum(everywhere, exchange);
-        for (std::size_t i = 0; i < searches.size(); ++i)
-        {
-            Search& search = searches[i];
-            const bool reached = everywhere[i].value() >= fractions[i] * all;
-            if (search.low == search.high)
-            {
-                continue;
-            }
-            if (reached)
-            {
-                search.high = search.middle();
-                search.last = ends[i];
-            }
-            else
-            {
-                search.low = search.middle() + 1;
-                search.first = ends[i];
-                search.before = here[i];
-            }
+            searches[i].halve(sums[label(i)].value());
         }
     }
     std::vector<scalar> result;
     for (const Search& search : searches)
     {
-        result.push_back(valueOf(search.low));
+        result.push_back(search.found());
     }
     return result;
 }
