@@ -7,6 +7,7 @@
 #include "shapes/BoxMesh.H"
 #include "shapes/ExactAlpha.H"
 #include "shapes/Surfaces.H"
+#include "shapes/ThreadRanks.H"
 
 #include <gtest/gtest.h>
 
@@ -109,6 +110,33 @@ TEST(NoiseFloor, quantilesLeaveOneInAThousandOut)
     EXPECT_EQ(quantileOf(values), 1999);
     EXPECT_EQ(quantileOf(scalarField(1, 0.7)), 0.7);
     EXPECT_EQ(quantileOf(scalarField()), 0);
+}
+
+// Values 1 to 2000 once each, however they are spread; what another rank counts is
+// large.
+TEST(NoiseFloor, quantilesAreThoseOfAllRanks)
+{
+    for (const label n : {1, 2, 3, 5})
+    {
+        scalarField found(n, -1);
+        shapes::onRanks(
+            n,
+            [&](const Exchange& exchange)
+            {
+                DynamicList<scalar> values;
+                DynamicList<bool> counted;
+                for (label i = 1; i <= 2000; ++i)
+                {
+                    const bool mine = (i / 7) % n == exchange.rank();
+                    values.append(mine ? i : 10000);
+                    counted.append(mine);
+                }
+                found[exchange.rank()] =
+                    noiseQuantile(scalarField(values), counted, exchange);
+            }
+        );
+        EXPECT_EQ(found, scalarField(n, 1998));
+    }
 }
 
 // Three of 2000 points stay.
