@@ -83,7 +83,7 @@ public:
         return weight;
     }
 
-    // Halves the interval by that weight of all ranks.
+    // Halves the interval by that weight of all ranks: down to 0 if there is none.
     void halve(scalar weight)
     {
         if (low_ == high_)
@@ -146,11 +146,6 @@ std::vector<scalar> weightedQuantiles(
     List<ExactSum> sums(1, here);
     sum(sums, exchange);
     const scalar total = sums[0].value();
-    if (!(total > 0))
-    {
-        return std::vector<scalar>(fractions.size(), 0);
-    }
-
     std::vector<Search> searches;
     for (const scalar fraction : fractions)
     {
