@@ -43,7 +43,7 @@ std::shared_ptr<const CellComplex> warpedCube(label n, scalar size = 1)
     return shapes::box(options);
 }
 
-class Random
+class Sampler
 {
 public:
     scalar operator()() { return distribution_(engine_); }
@@ -124,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST_P(CellWalkOnMeshes, FindsEveryPointFromAnyHint)
 {
     const auto complex = mesh();
-    Random random;
+    Sampler random;
     CellHint follow;
     for (label n = 0; n < 2000; ++n)
     {
@@ -194,7 +194,7 @@ TEST(CellWalk, CrookedCellsDoNoHarm)
 {
     const auto complex =
         shapes::complexOf(shapes::perturbedBox(shapes::BoxOptions(), 0.6));
-    Random random;
+    Sampler random;
     CellHint hint;
     for (label n = 0; n < 20000; ++n)
     {
@@ -213,7 +213,7 @@ TEST(CellWalk, ScaleDoesNotMatter)
     {
         const auto one = warpedCube(8);
         const auto scaled = warpedCube(8, scale);
-        Random random;
+        Sampler random;
         CellHint hint, scaledHint;
         for (label n = 0; n < 500; ++n)
         {

@@ -68,7 +68,7 @@ VelocityInterval interval(
     );
 }
 
-class Random
+class Sampler
 {
 public:
     scalar operator()() { return distribution_(engine_); }
@@ -88,7 +88,7 @@ TEST(VelocityInterval, LinearFieldIsExactOnHexesFromAnyHint)
 {
     const auto complex = shapes::box(openBox(8));
     const VelocityInterval velocity = interval(complex, complex, flow);
-    Random random;
+    Sampler random;
     CellHint follow;
     for (label n = 0; n < 1000; ++n)
     {
@@ -177,7 +177,7 @@ TEST(VelocityInterval, TwoComplexesHaveTheirOwnHints)
     const auto coarse = shapes::box(openBox(5));
     const VelocityInterval velocity = interval(fine, coarse, flow);
     EXPECT_FALSE(velocity.sharesComplex());
-    Random random;
+    Sampler random;
     CellHint hint, earlierHint;
     for (label n = 0; n < 300; ++n)
     {
