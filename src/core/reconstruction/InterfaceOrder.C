@@ -13,9 +13,8 @@ namespace Foam::stability
 namespace
 {
 
-// The triangles of this list, in its order; points by their first triangle. Returns
-// where the points were.
-labelList keep(InterfaceMesh& mesh, const std::vector<label>& triangles)
+// The triangles of this list, in its order; points by their first triangle.
+void keep(InterfaceMesh& mesh, const std::vector<label>& triangles)
 {
     const label n = triangles.size();
     labelList numbers(mesh.points.size(), -1);
@@ -43,7 +42,6 @@ labelList keep(InterfaceMesh& mesh, const std::vector<label>& triangles)
     mesh.boundaryFaces = labelList(mesh.boundaryFaces, points);
     mesh.cellSizes = scalarField(mesh.cellSizes, points);
     mesh.clearParametrization();
-    return labelList(std::move(points));
 }
 
 } // namespace
@@ -57,19 +55,6 @@ void orderByCells(InterfaceMesh& mesh)
         [&](label a, label b) { return mesh.triangleCells[a] < mesh.triangleCells[b]; }
     );
     keep(mesh, order);
-}
-
-labelList keepOwn(InterfaceMesh& mesh, const CellComplex& complex)
-{
-    std::vector<label> own;
-    forAll(mesh.triangles, trianglei)
-    {
-        if (complex.own(mesh.triangleCells[trianglei]))
-        {
-            own.push_back(trianglei);
-        }
-    }
-    return keep(mesh, own);
 }
 
 } // namespace Foam::stability

@@ -17,45 +17,6 @@
 namespace Foam::stability
 {
 
-namespace
-{
-
-// Of the values per held point those that the halo's piece has; others are not looked
-// at.
-template<class T>
-List<T> onPiece(const List<T>& held, const SurfaceHalo& halo)
-{
-    List<T> values(halo.mesh().points.size(), T());
-    forAll(held, pointi)
-    {
-        const label place = halo.placeOf(pointi);
-        if (place >= 0)
-        {
-            values[place] = held[pointi];
-        }
-    }
-    return values;
-}
-
-// And back.
-labelList placesOf(label nHeld, const SurfaceHalo& halo)
-{
-    labelList places(nHeld);
-    forAll(places, pointi)
-    {
-        places[pointi] = halo.placeOf(pointi);
-    }
-    return places;
-}
-
-template<class T>
-List<T> ofHeld(const List<T>& onPiece, const labelList& places)
-{
-    return List<T>(UList<T>(onPiece), places);
-}
-
-} // namespace
-
 StabilityTracker::StabilityTracker(
     const TrackerOptions& options, const Exchange& exchange
 )
@@ -266,10 +227,7 @@ void StabilityTracker::startSurface(const SurfacePiece& interface)
         surface, halo, Components(halo, apex, exchange_), latest_, options_.nThreads,
         exchange_
     ));
-    const labelList places(placesOf(surface.mesh.points.size(), halo));
-    timeSurface_.setSmallScales(
-        ofHeld(scales.thin, places), ofHeld(scales.subGrid, places)
-    );
+    timeSurface_.setSmallScales(halo.ofHeld(scales.thin), halo.ofHeld(scales.subGrid));
     parametrized_ = true;
 }
 
@@ -365,15 +323,14 @@ void StabilityTracker::describeInterface(
         own.piece, around(own.piece, searchReach(own.piece)), exchange_
     );
     const Components components(halo, complex().whole().bounds.centre(), exchange_);
-    const labelList places(placesOf(interface.mesh.points.size(), halo));
-    interface.areas = ofHeld(halo.mesh().pointAreas(), places);
-    interface.counted = ofHeld(halo.counted(), places);
-    interface.components = ofHeld(components.ofPoints(), places);
+    interface.areas = halo.ofHeld(halo.mesh().pointAreas());
+    interface.counted = halo.ofHeld(halo.counted());
+    interface.components = halo.ofHeld(components.ofPoints());
     SmallScales scales(
         smallScales(own.piece, halo, components, latest_, options_.nThreads, exchange_)
     );
-    interface.thin = ofHeld(scales.thin, places);
-    interface.subGrid = ofHeld(scales.subGrid, places);
+    interface.thin = halo.ofHeld(scales.thin);
+    interface.subGrid = halo.ofHeld(scales.subGrid);
     result_.droplets = std::move(scales.droplets);
 }
 
@@ -383,13 +340,13 @@ ClassifiedSurface StabilityTracker::describeTimeSurface(
 {
     const TimeSurface::Marks& marks = timeSurface_.marks();
     ClassifiedSurface surface(describe(
-        halo.mesh(), matches, Stability::detached, onPiece(marks.nearWall, halo),
+        halo.mesh(), matches, Stability::detached, halo.onPiece(marks.nearWall),
         latest_->time - lastClassified_
     ));
-    surface.counted = onPiece(marks.counted, halo);
-    surface.thin = onPiece(marks.thin, halo);
-    surface.subGrid = onPiece(marks.subGrid, halo);
-    const List<bool> left(onPiece(timeSurface_.left(), halo));
+    surface.counted = halo.onPiece(marks.counted);
+    surface.thin = halo.onPiece(marks.thin);
+    surface.subGrid = halo.onPiece(marks.subGrid);
+    const List<bool> left(halo.onPiece(timeSurface_.left()));
     forAll(left, pointi)
     {
         if (left[pointi])
@@ -429,9 +386,8 @@ StabilityTracker::ComparedTimeSurface StabilityTracker::compare(const Extracted&
 void StabilityTracker::rateNoise(const Extracted& fresh, const SurfaceHalo& halo)
 {
     const Busy watch(timings_.reconstruction);
-    const labelList places(placesOf(fresh.piece.mesh.points.size(), halo));
     result_.statistics.noiseFloor = noiseFloor(
-        fresh.piece.mesh, fresh.spread, ofHeld(halo.counted(), places),
+        fresh.piece.mesh, fresh.spread, halo.ofHeld(halo.counted()),
         changes_[present()].reconstruction,
         [&](const ReconstructionOptions& other)
         { return Reconstruction::New(other)->extract(*latest_).mesh; },
@@ -445,7 +401,7 @@ void StabilityTracker::keepOwn(const ComparedTimeSurface& compared)
     const SurfacePiece& piece = timeSurface_.piece();
     ClassifiedSurface& surface = result_.timeSurface;
     surface = compared.surface;
-    select(surface, placesOf(piece.mesh.points.size(), compared.halo));
+    select(surface, compared.halo.places());
     surface.mesh = piece.mesh;
     surface.order = piece;
 }

@@ -9,8 +9,8 @@ namespace Foam::stability
 SurfaceHalo::SurfaceHalo(
     const SurfacePiece& held, const VoxelMask& wanted, const Exchange& exchange
 )
-    : exchange_(exchange), nHeldTriangles_(held.mesh.triangles.size()),
-      sent_(exchange.nRanks())
+    : exchange_(exchange), nHeldPoints_(held.mesh.points.size()),
+      nHeldTriangles_(held.mesh.triangles.size()), sent_(exchange.nRanks())
 {
     std::vector<SurfacePiece> parts{held};
     if (exchange.nRanks() > 1)

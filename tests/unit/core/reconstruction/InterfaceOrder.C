@@ -5,6 +5,7 @@
 // last bit, with enough rings of cells around them.
 
 #include "core/reconstruction/InterfaceOrder.H"
+#include "core/tracking/SurfacePiece.H"
 
 #include "core/flow/CellBlock.H"
 #include "core/reconstruction/Reconstruction.H"
@@ -118,9 +119,11 @@ TEST(InterfaceOrder, aPieceExtractsWhatTheWholeHas)
                 }
             }
             const auto piece = leftOf(*whole, 9);
-            InterfaceMesh part(reconstruction->extract(*piece).mesh);
-            const label before = part.triangles.size();
-            const labelList kept(keepOwn(part, *piece->complex));
+            const InterfaceMesh extracted(reconstruction->extract(*piece).mesh);
+            const label before = extracted.triangles.size();
+            SurfacePiece own;
+            const labelList kept(keepOwn(own, extracted, *piece->complex));
+            const InterfaceMesh& part = own.mesh;
             EXPECT_LT(part.triangles.size(), before);
             EXPECT_EQ(kept.size(), part.points.size());
             std::multiset<Corners> found;
