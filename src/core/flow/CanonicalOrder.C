@@ -67,6 +67,16 @@ List permuted(const List& values, const labelList& order)
     return result;
 }
 
+// Where there are any.
+template<class List>
+void permute(List& values, const labelList& order)
+{
+    if (!values.empty())
+    {
+        values = permuted(values, order);
+    }
+}
+
 template<class Before>
 labelList sortedBy(label n, const Before& before)
 {
@@ -76,12 +86,40 @@ labelList sortedBy(label n, const Before& before)
     return order;
 }
 
+// What points or cells are sorted by.
+class Places
+{
+public:
+    Places() = default;
+    Places(pointField&& homes, labelList&& images)
+        : homes_(std::move(homes)), images_(std::move(images))
+    {
+    }
+
+    bool before(label a, label b) const
+    {
+        return homes_[a] == homes_[b] ? image(a) < image(b)
+                                      : beforeByPosition(homes_[a], homes_[b]);
+    }
+    bool same(label a, label b) const
+    {
+        return homes_[a] == homes_[b] && image(a) == image(b);
+    }
+
+private:
+    label image(label i) const { return images_.empty() ? 0 : images_[i]; }
+
+    pointField homes_; // [m]
+    labelList images_; // empty: there are none
+};
+
 class Ordering
 {
 public:
     explicit Ordering(CellComplexInput& mesh)
         : mesh_(mesh), nInternal_(mesh.neighbour.size()),
-          nCells_(mesh.owner.empty() ? 0 : max(mesh.owner) + 1)
+          nCells_(mesh.owner.empty() ? 0 : max(mesh.owner) + 1),
+          images_(mesh.whole ? mesh.whole->images.get() : nullptr)
     {
     }
 
@@ -95,22 +133,45 @@ public:
     }
 
 private:
-    pointField cellMeans() const
+    Places placesOfPoints() const
     {
+        if (!images_)
+        {
+            return Places(pointField(mesh_.points), labelList());
+        }
+        labelList images(mesh_.globalPoints);
+        for (label& image : images)
+        {
+            image = images_->imageOfPoint(image);
+        }
+        return Places(pointField(mesh_.homes), std::move(images));
+    }
+
+    Places placesOfCells() const
+    {
+        if (images_)
+        {
+            labelList images(mesh_.globalCells);
+            for (label& image : images)
+            {
+                image = images_->imageOfCell(image);
+            }
+            return Places(pointField(mesh_.cellHomes), std::move(images));
+        }
         const Rows cellFaces = facesOfCells(mesh_);
         pointField means(nCells_);
         forAll(means, celli)
         {
             means[celli] = cellMean(cellFaces[celli], mesh_.faces, mesh_.points);
         }
-        return means;
+        return Places(std::move(means), labelList());
     }
 
     void orderPoints()
     {
+        const Places places(placesOfPoints());
         order_.points = sortedBy(
-            mesh_.points.size(), [&](label a, label b)
-            { return beforeByPosition(mesh_.points[a], mesh_.points[b]); }
+            mesh_.points.size(), [&](label a, label b) { return places.before(a, b); }
         );
         applyPoints(order_.points);
         separateCoincident();
@@ -120,6 +181,8 @@ private:
     {
         const labelList toNew = inverse(order);
         mesh_.points = permuted(mesh_.points, order);
+        permute(mesh_.globalPoints, order);
+        permute(mesh_.homes, order);
         for (face& f : mesh_.faces)
         {
             for (label& pointi : f)
@@ -133,23 +196,24 @@ private:
     // the lowest of the cells around them.
     void separateCoincident()
     {
-        const pointField& x = mesh_.points;
+        const Places points(placesOfPoints());
+        const label n = mesh_.points.size();
         bool any = false;
-        for (label i = 1; i < x.size() && !any; ++i)
+        for (label i = 1; i < n && !any; ++i)
         {
-            any = x[i] == x[i - 1];
+            any = points.same(i, i - 1);
         }
         if (!any)
         {
             return;
         }
-        const pointField means(cellMeans());
-        pointField lowest(x.size(), point::max);
+        const Places cells(placesOfCells());
+        labelList lowest(n, -1);
         const auto lower = [&](label pointi, label celli)
         {
-            if (beforeByPosition(means[celli], lowest[pointi]))
+            if (lowest[pointi] < 0 || cells.before(celli, lowest[pointi]))
             {
-                lowest[pointi] = means[celli];
+                lowest[pointi] = celli;
             }
         };
         forAll(mesh_.faces, facei)
@@ -164,11 +228,15 @@ private:
             }
         }
         const labelList order = sortedBy(
-            x.size(),
+            n,
             [&](label a, label b)
             {
-                return beforeByPosition(x[a], x[b])
-                       || (x[a] == x[b] && beforeByPosition(lowest[a], lowest[b]));
+                if (!points.same(a, b) || lowest[a] < 0 || lowest[b] < 0)
+                {
+                    return points.before(a, b)
+                           || (points.same(a, b) && lowest[b] < 0 && lowest[a] >= 0);
+                }
+                return cells.before(lowest[a], lowest[b]);
             }
         );
         order_.points = permuted(order_.points, order);
@@ -177,11 +245,11 @@ private:
 
     void orderCells()
     {
-        const pointField means(cellMeans());
-        order_.cells = sortedBy(
-            nCells_,
-            [&](label a, label b) { return beforeByPosition(means[a], means[b]); }
-        );
+        const Places places(placesOfCells());
+        order_.cells =
+            sortedBy(nCells_, [&](label a, label b) { return places.before(a, b); });
+        permute(mesh_.globalCells, order_.cells);
+        permute(mesh_.cellHomes, order_.cells);
         const labelList toNew = inverse(order_.cells);
         for (labelList* cells : {&mesh_.owner, &mesh_.neighbour})
         {
@@ -249,6 +317,7 @@ private:
     CellComplexInput& mesh_;
     label nInternal_;
     label nCells_;
+    const PeriodicImages* images_; // null: there are none
     CanonicalOrder order_;
 };
 

@@ -6,6 +6,8 @@
 #include "DynamicList.H"
 #include "Map.H"
 
+#include <algorithm>
+
 namespace Foam::stability
 {
 
@@ -23,6 +25,10 @@ public:
     void add(label celli, const UList<label>& faces)
     {
         cells_.append(mesh_.globalCells[celli]);
+        if (!mesh_.cellHomes.empty())
+        {
+            cellHomes_.append(mesh_.cellHomes[celli]);
+        }
         nFaces_.append(faces.size());
         for (const label facei : faces)
         {
@@ -42,6 +48,8 @@ public:
         block.patches.transfer(patches_);
         block.pointIds.transfer(pointIds_);
         block.points.transfer(points_);
+        block.homes.transfer(homes_);
+        block.cellHomes.transfer(cellHomes_);
         return block;
     }
 
@@ -57,6 +65,10 @@ private:
             {
                 pointIds_.append(global);
                 points_.append(mesh_.points[pointi]);
+                if (!mesh_.homes.empty())
+                {
+                    homes_.append(mesh_.homes[pointi]);
+                }
             }
             pointi = global;
         }
@@ -83,7 +95,7 @@ private:
     DynamicList<label> cells_, nFaces_, behind_, boundaryFaces_, patches_, pointIds_;
     DynamicList<face> faces_;
     DynamicList<BoundaryKind> kinds_;
-    DynamicList<point> points_;
+    DynamicList<point> points_, homes_, cellHomes_;
 };
 
 class Assembly
@@ -98,7 +110,8 @@ public:
         }
     }
 
-    CellComplexInput run(const wordList& patchNames)
+    CellComplexInput
+    run(const wordList& patchNames, const std::optional<WholeMesh>& whole)
     {
         for (std::size_t i = 0; i < blocks_.size(); ++i)
         {
@@ -106,6 +119,7 @@ public:
         }
         join();
         mesh_.patchNames = patchNames;
+        mesh_.whole = whole;
         return ordered();
     }
 
@@ -127,6 +141,10 @@ private:
             {
                 points_.append(block.points[i]);
                 pointIds_.append(block.pointIds[i]);
+                if (!block.homes.empty())
+                {
+                    homes_.append(block.homes[i]);
+                }
             }
         }
     }
@@ -140,6 +158,10 @@ private:
             {
                 isFirst_.back()[i] = true;
                 cells_.append(block.cells[i]);
+                if (!block.cellHomes.empty())
+                {
+                    cellHomes_.append(block.cellHomes[i]);
+                }
             }
         }
     }
@@ -183,6 +205,10 @@ private:
     void join()
     {
         mesh_.points.transfer(points_);
+        mesh_.globalPoints.transfer(pointIds_);
+        mesh_.globalCells.transfer(cells_);
+        mesh_.homes.transfer(homes_);
+        mesh_.cellHomes.transfer(cellHomes_);
         internal_.append(boundary_);
         mesh_.faces.transfer(internal_);
         for (const Side& side : sides_)
@@ -202,8 +228,6 @@ private:
     CellComplexInput ordered()
     {
         const CanonicalOrder order = orderByPosition(mesh_);
-        mesh_.globalCells = labelList(cells_, order.cells);
-        mesh_.globalPoints = labelList(pointIds_, order.points);
         const label nInternal = mesh_.neighbour.size();
         mesh_.globalBoundaryFaces.setSize(boundaryFaces_.size());
         mesh_.behind.setSize(behind_.size());
@@ -220,7 +244,7 @@ private:
     std::vector<std::vector<bool>>
         isFirst_; // per block and cell: not in an earlier one
     Map<label> pointNumbers_, cellNumbers_;
-    DynamicList<point> points_;
+    DynamicList<point> points_, homes_, cellHomes_;
     DynamicList<label> pointIds_, cells_, owner_, neighbour_;
     DynamicList<face> internal_, boundary_;
     DynamicList<Side> sides_;
@@ -242,10 +266,41 @@ blockOf(const CellComplexInput& mesh, const Rows& cellFaces, const labelList& ce
     return writer.take();
 }
 
-CellComplexInput
-assemble(const std::vector<CellBlock>& blocks, const wordList& patchNames)
+CellBlock moved(CellBlock block, label image, const PeriodicImages& images)
 {
-    return Assembly(blocks).run(patchNames);
+    const auto moveCell = [&](label& cell) { cell = images.movedCell(cell, image); };
+    std::for_each(block.cells.begin(), block.cells.end(), moveCell);
+    for (label& cell : block.behind)
+    {
+        if (cell >= 0)
+        {
+            moveCell(cell);
+        }
+    }
+    Map<label> numbers(2 * block.pointIds.size());
+    forAll(block.pointIds, i)
+    {
+        const label id = images.movedPoint(block.pointIds[i], block.homes[i], image);
+        numbers.insert(block.pointIds[i], id);
+        block.pointIds[i] = id;
+        block.points[i] = images.place(id, block.homes[i]);
+    }
+    for (face& f : block.faces)
+    {
+        for (label& pointi : f)
+        {
+            pointi = numbers[pointi];
+        }
+    }
+    return block;
+}
+
+CellComplexInput assemble(
+    const std::vector<CellBlock>& blocks, const wordList& patchNames,
+    const std::optional<WholeMesh>& whole
+)
+{
+    return Assembly(blocks).run(patchNames, whole);
 }
 
 } // namespace Foam::stability

@@ -138,7 +138,9 @@ CellComplex::CellComplex(CellComplexInput input) : input_(std::move(input))
     }
     if (!input_.whole)
     {
-        input_.whole = WholeMesh{bounds_, shareOfTetrahedra(cellFaces_), {}};
+        input_.whole.emplace();
+        input_.whole->bounds = bounds_;
+        input_.whole->tetrahedra = shareOfTetrahedra(cellFaces_);
     }
 }
 

@@ -19,6 +19,8 @@ void pack(const CellBlock& block, Packet& packet)
     packet.putList(block.patches);
     packet.putList(block.pointIds);
     packet.putList(block.points);
+    packet.putList(block.homes);
+    packet.putList(block.cellHomes);
 }
 
 Packet packed(const CellBlock& block)
@@ -40,6 +42,8 @@ CellBlock unpacked(Packet& packet)
     block.patches = packet.getList<label>();
     block.pointIds = packet.getList<label>();
     block.points = packet.getList<point>();
+    block.homes = packet.getList<point>();
+    block.cellHomes = packet.getList<point>();
     return block;
 }
 
@@ -133,8 +137,7 @@ assembledFractions(std::vector<Packet>& packets, const CellComplex& local)
     {
         return nullptr;
     }
-    CellComplexInput input(assemble(blocks, local.patchNames()));
-    input.whole = local.whole();
+    CellComplexInput input(assemble(blocks, local.patchNames(), local.whole()));
     auto snapshot = std::make_shared<FlowSnapshot>();
     for (const Fractions& values : fractions)
     {

@@ -3,8 +3,9 @@
 
 #include "foam/ranks/RankCells.H"
 
+#include "core/flow/HomeNumbers.H"
+#include "core/ranks/RingFetch.H"
 #include "foam/Failures.H"
-#include "foam/ranks/RingFetch.H"
 #include "emptyPolyPatch.H"
 #include "globalMeshData.H"
 #include "processorPolyPatch.H"
@@ -20,24 +21,30 @@ namespace Foam::stability
 namespace
 {
 
-// Not so the halves of a cyclic patch that are on two ranks.
-bool betweenRanks(const polyPatch& patch)
+// There are cells behind it.
+bool leadsOn(const polyPatch& patch)
 {
-    return patch.type() == processorPolyPatch::typeName;
+    return isA<processorPolyPatch>(patch) || isCyclic(patch);
+}
+
+// What other meshes are interpolated to (cyclicAMI, overset) is an open boundary.
+bool interpolates(const polyPatch& patch)
+{
+    return (patch.coupled() && !leadsOn(patch)) || patch.type() == "overset";
 }
 
 BoundaryKind kindOf(const polyPatch& patch)
 {
-    if (betweenRanks(patch))
+    if (leadsOn(patch))
     {
         return BoundaryKind::beyond;
     }
-    if (patch.coupled() || isA<emptyPolyPatch>(patch) || isA<wedgePolyPatch>(patch))
+    if (isA<emptyPolyPatch>(patch) || isA<wedgePolyPatch>(patch))
     {
         throw BadInput(
             "Patch " + patch.name() + " is of type " + patch.type()
             + ", which interfaceStability does not support yet; allowed are walls, "
-              "symmetries and open patches of a three-dimensional mesh."
+              "symmetries, cyclic and open patches of a three-dimensional mesh."
         );
     }
     if (isA<wallPolyPatch>(patch))
@@ -64,7 +71,6 @@ CellComplexInput complexInput(const fvMesh& mesh)
     DynamicList<word> names;
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
-        const bool between = betweenRanks(patch);
         if (!isA<processorPolyPatch>(patch))
         {
             names.append(patch.name());
@@ -78,7 +84,8 @@ CellComplexInput complexInput(const fvMesh& mesh)
         for (label i = 0; i < patch.size(); ++i)
         {
             input.kinds[start + i] = kind;
-            input.patches[start + i] = between ? -1 : patch.index();
+            input.patches[start + i] =
+                kind == BoundaryKind::beyond ? -1 : patch.index();
         }
     }
     input.patchNames = wordList(std::move(names));
@@ -127,15 +134,24 @@ RankCells::RankCells(const fvMesh& mesh, const RankMessages& messages, label nRi
       boundaryNumbers_(mesh.nFaces() - mesh.nInternalFaces())
 {
     const CellComplexInput own(ownPiece(mesh));
-    const bool alone = messages.nRanks() == 1;
-    CellComplexInput all(
-        assemble(fetchRings(own, messages, alone ? 0 : nRings), own.patchNames)
-    );
+    const bool alone = messages.nRanks() == 1 && !images_;
     const Rows cellFaces(facesOfCells(own));
-    all.whole = wholeOf(own, cellFaces, messages);
-    cells_ = sourceOf(all.globalCells, cellNumbers_);
+    WholeMesh whole(wholeOf(own, cellFaces, messages));
+    whole.images = images_;
+    CellComplexInput all(assemble(
+        fetchRings(own, images_.get(), messages, alone ? 0 : nRings), own.patchNames,
+        whole
+    ));
+    labelList realCells(all.globalCells);
+    if (images_)
+    {
+        for (label& celli : realCells)
+        {
+            celli = images_->realCell(celli);
+        }
+    }
+    cells_ = sourceOf(realCells, cellNumbers_);
     boundaryFaces_ = sourceOf(all.globalBoundaryFaces, boundaryNumbers_);
-    matchFaces(own, cellFaces, all);
     if (alone)
     {
         all.globalCells.clear(); // numbers of its own will do
@@ -151,9 +167,22 @@ RankCells::RankCells(const fvMesh& mesh, const RankMessages& messages, label nRi
     messages.agree<BadInput>(failureOf(
         [&] { complex_ = std::make_shared<const CellComplex>(std::move(all)); }
     ));
+    matchFaces(own, cellFaces);
+    findOpenCoupled(mesh);
 }
 
-CellComplexInput RankCells::ownPiece(const fvMesh& mesh) const
+void RankCells::findOpenCoupled(const fvMesh& mesh)
+{
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if (interpolates(patch) && messages_.total(patch.size()) > 0)
+        {
+            openCoupled_.append(patch.name() + " (" + patch.type() + ")");
+        }
+    }
+}
+
+CellComplexInput RankCells::ownPiece(const fvMesh& mesh)
 {
     CellComplexInput own;
     // A patch may have faces on some ranks only.
@@ -161,23 +190,50 @@ CellComplexInput RankCells::ownPiece(const fvMesh& mesh) const
     own.globalCells = globalNumbers(cellNumbers_);
     own.globalBoundaryFaces = globalNumbers(boundaryNumbers_);
     own.behind.setSize(own.globalBoundaryFaces.size(), -1);
-    if (messages_.nRanks() == 1)
+    const CyclicPatches cyclic(mesh, messages_);
+    if (messages_.nRanks() == 1 && !cyclic.any())
     {
         own.globalPoints = identity(mesh.nPoints());
         return own;
     }
     labelList unique;
-    mesh.globalData().mergePoints(own.globalPoints, unique);
+    const label nPoints =
+        mesh.globalData().mergePoints(own.globalPoints, unique)->size();
+    if (cyclic.any())
+    {
+        images_ = std::make_shared<const PeriodicImages>(
+            cyclic.motions(), mesh.bounds(), cellNumbers_.size(), nPoints
+        );
+        const labelList home(homePoints(mesh, own.globalPoints));
+        const pointField homes(homesOf(mesh, own.globalPoints, home));
+        messages_.agree<BadInput>(
+            failureOf([&] { numberFromHome(own, home, homes, *images_); })
+        );
+    }
+    findBehind(mesh, cyclic, own);
+    return own;
+}
+
+void RankCells::findBehind(
+    const fvMesh& mesh, const CyclicPatches& cyclic, CellComplexInput& own
+) const
+{
     labelList behind;
     syncTools::swapBoundaryCellList(mesh, own.globalCells, behind);
-    forAll(behind, i)
+    for (const polyPatch& patch : mesh.boundaryMesh())
     {
-        if (own.kinds[i] == BoundaryKind::beyond)
+        if (patch.empty() || !leadsOn(patch))
         {
-            own.behind[i] = behind[i];
+            continue;
+        }
+        const label image =
+            isCyclic(patch) ? images_->indexOf(cyclic.motionOf(patch)) : 0;
+        for (label facei = patch.start(); facei < patch.start() + patch.size(); ++facei)
+        {
+            const label i = facei - mesh.nInternalFaces();
+            own.behind[i] = image ? images_->cell(behind[i], image) : behind[i];
         }
     }
-    return own;
 }
 
 // Collective: tells the ranks what is wanted of them.
@@ -210,10 +266,9 @@ RankCells::sourceOf(const labelList& global, const globalIndex& numbers) const
     return source;
 }
 
-void RankCells::matchFaces(
-    const CellComplexInput& own, const Rows& cellFaces, const CellComplexInput& all
-)
+void RankCells::matchFaces(const CellComplexInput& own, const Rows& cellFaces)
 {
+    const CellComplexInput& all = complex_->input();
     const auto pointsOf = [](const face& f, const labelList& numbers)
     {
         labelList points(f.size());
@@ -229,16 +284,13 @@ void RankCells::matchFaces(
     sameWay_.setSize(meshFaces_.size(), true);
     forAll(meshFaces_, facei)
     {
-        label celli = cells_.fromOwn[all.owner[facei]];
-        const bool byOwner = celli >= 0;
-        if (!byOwner && facei < nInternal)
-        {
-            celli = cells_.fromOwn[all.neighbour[facei]];
-        }
-        if (celli < 0)
+        const bool byOwner = isOwn(all.owner[facei]);
+        if (!byOwner && (facei >= nInternal || !isOwn(all.neighbour[facei])))
         {
             continue;
         }
+        const label celli =
+            cells_.fromOwn[byOwner ? all.owner[facei] : all.neighbour[facei]];
         const labelList points(pointsOf(all.faces[facei], all.globalPoints));
         for (const label meshFacei : cellFaces[celli])
         {
