@@ -456,6 +456,12 @@ void AnalysisSession::announce() const
         }
         Info << endl;
     }
+    for (const std::string& patch : snapshots_.openCoupled())
+    {
+        Info << "interfaceStability: patch " << patch.c_str()
+             << " is taken for an open boundary: pathlines that cross it end there"
+             << nl << endl;
+    }
 }
 
 } // namespace Foam::stability

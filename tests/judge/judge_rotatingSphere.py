@@ -116,9 +116,8 @@ def judge_distances(run, options, verdict):
         verdict.at_most(f"detached beyond {cells:g} cells, mean", np.mean(farther), allowed)
 
 
-def judge_rotation(run, options, verdict):
+def judge_rotation(run, options, verdict, motion):
     h = 1.0 / options.cells
-    motion = Motion(options.centre, options.axis)
     chart = Chart(run.surface("timeSurface", 0))
     verdict.check("the chart is one-to-one oriented", chart.flipped == 0, f"{chart.flipped} flips")
     table_head()
@@ -172,8 +171,8 @@ def judge_rotation(run, options, verdict):
     )
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__)
+def parser_of(description):
+    parser = argparse.ArgumentParser(description=description)
     parser.add_argument("case")
     parser.add_argument("--cells", type=int, default=32, help="along each side of the cube")
     parser.add_argument("--transfers", type=int, default=40)
@@ -192,6 +191,11 @@ def main():
                         help="allowed share farther away than a quarter of a cell")
     parser.add_argument("--no-attached", dest="attached", action="store_false",
                         help="do not judge what attached")
+    return parser
+
+
+def main():
+    parser = parser_of(__doc__)
     parser.add_argument("--still", action="store_true", help="U is zero: T must detach")
     options = parser.parse_args()
 
@@ -199,7 +203,7 @@ def main():
     if options.still:
         judge_still(run, verdict)
     else:
-        judge_rotation(run, options, verdict)
+        judge_rotation(run, options, verdict, Motion(options.centre, options.axis))
     verdict.leave()
 
 

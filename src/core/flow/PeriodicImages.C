@@ -138,6 +138,15 @@ label PeriodicImages::product(label a, label b) const
     return image;
 }
 
+label PeriodicImages::nNearby() const
+{
+    while (ends_.size() <= nextTo)
+    {
+        findMore();
+    }
+    return label(ends_[nextTo]);
+}
+
 label PeriodicImages::inverse(label image) const
 {
     return image == 0 ? 0 : indexOf(motions_[image].inverse());
@@ -190,17 +199,13 @@ labelList PeriodicImages::equals(label image, const Foam::point& home) const
 
 label PeriodicImages::imageAt(const Foam::point& x, const Foam::point& home) const
 {
-    while (ends_.size() <= nextTo)
-    {
-        findMore();
-    }
     label nearest = 0;
-    for (std::size_t i = 1; i < ends_[nextTo]; ++i)
+    for (label i = 1; i < nNearby(); ++i)
     {
         const scalar before = mag(motions_[nearest](home) - x);
         if (mag(motions_[i](home) - x) + roundOff_ < before)
         {
-            nearest = label(i);
+            nearest = i;
         }
     }
     if (mag(motions_[nearest](home) - x) > tolerance_)

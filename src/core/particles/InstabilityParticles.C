@@ -178,13 +178,25 @@ void InstabilityParticles::seed(
         {
             for (Seed& seed : seeds)
             {
-                InstabilityParticle& particle = seed.particle;
-                label& celli = particle.path.hint.cell;
-                const point& x = particle.path.x;
+                label& celli = pathOf(seed).hint.cell;
+                const point& x = pathOf(seed).x;
                 if (seed.near && !(celli >= 0 && complex.holds(celli, x)))
                 {
                     celli = complex.findCell(x);
                 }
+            }
+        }
+    );
+    leaveImages(seeds, complex, exchange);
+    together(
+        exchange,
+        [&]
+        {
+            for (Seed& seed : seeds)
+            {
+                InstabilityParticle& particle = seed.particle;
+                const label celli = particle.path.hint.cell;
+                const point& x = particle.path.x;
                 particle.path.time = time;
                 particle.detachmentTime = time;
                 particle.detachmentPosition = x;

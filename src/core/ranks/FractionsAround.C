@@ -55,7 +55,10 @@ std::shared_ptr<const FlowSnapshot> fractionsAround(
     std::vector<DynamicList<label>> requests(exchange.nRanks());
     for (const label celli : cells)
     {
-        requests[complex.whole().rankOf(celli)].append(celli);
+        const WholeMesh& whole = complex.whole();
+        requests[whole.rankOf(celli)].append(
+            whole.images ? whole.images->realCell(celli) : celli
+        );
     }
     std::vector<Packet> answers(exchange.nRanks());
     std::vector<List<label>> asked = exchange.exchangeLists(requests);

@@ -82,6 +82,18 @@ labelList Components::ofHeldTriangles() const
     return result;
 }
 
+namespace
+{
+
+// Of what goes through a cyclic patch no volume is known here: it is open.
+bool closedAt(const SurfaceEdge& edge, const SurfaceHalo& halo)
+{
+    return edge.nTriangles == 2 && halo.piece().keys[edge.triangles[0]].image == 0
+           && halo.piece().keys[edge.triangles[1]].image == 0;
+}
+
+} // namespace
+
 // Numbers the parts that are connected by held triangles alone.
 void Components::numberParts(const SurfaceHalo& halo, const SurfaceTopology& topology)
 {
@@ -146,7 +158,7 @@ List<Components::Part> Components::measure(
         for (label k = 0; k < 3; ++k)
         {
             const label edgei = topology.triangleEdges()[trianglei][k];
-            part.closed = part.closed && topology.edges()[edgei].nTriangles == 2;
+            part.closed = part.closed && closedAt(topology.edges()[edgei], halo);
             if (counted[t[k]] && !pointMet[t[k]])
             {
                 pointMet[t[k]] = true;

@@ -205,7 +205,7 @@ void StabilityTracker::startSurface(const SurfacePiece& interface)
     const point apex = complex().whole().bounds.centre();
     const scalar reach = searchReach(interface);
     {
-        const SurfaceHalo halo(interface, around(interface, reach), exchange_);
+        const SurfaceHalo halo(interface, around(interface, reach), exchange_, images());
         const Components components(halo, apex, exchange_);
         const List<bool> all(interface.mesh.triangles.size(), true);
         result_.parametrization = parametrize(
@@ -222,7 +222,7 @@ void StabilityTracker::startSurface(const SurfacePiece& interface)
     surface = timeSurface_.piece();
     chart_ = SpreadChart(surface, exchange_);
 
-    const SurfaceHalo halo(surface, around(surface, reach), exchange_);
+    const SurfaceHalo halo(surface, around(surface, reach), exchange_, images());
     const SmallScales scales(smallScales(
         surface, halo, Components(halo, apex, exchange_), latest_, options_.nThreads,
         exchange_
@@ -320,7 +320,7 @@ void StabilityTracker::describeInterface(
     interface.mesh = own.piece.mesh;
 
     const SurfaceHalo halo(
-        own.piece, around(own.piece, searchReach(own.piece)), exchange_
+        own.piece, around(own.piece, searchReach(own.piece)), exchange_, images()
     );
     const Components components(halo, complex().whole().bounds.centre(), exchange_);
     interface.areas = halo.ofHeld(halo.mesh().pointAreas());
@@ -366,10 +366,10 @@ StabilityTracker::ComparedTimeSurface StabilityTracker::compare(const Extracted&
     constexpr scalar forTransfer = 3, aroundInterface = 1.7;
     const scalar reach = searchReach(fresh.piece);
     const SurfaceHalo interface(
-        fresh.piece, around(fresh.piece, aroundInterface * reach), exchange_
+        fresh.piece, around(fresh.piece, aroundInterface * reach), exchange_, images()
     );
     const SurfaceHalo timeSurface(
-        timeSurface_.piece(), around(fresh.piece, forTransfer * reach), exchange_
+        timeSurface_.piece(), around(fresh.piece, forTransfer * reach), exchange_, images()
     );
     rateNoise(fresh, interface);
     std::optional<MatchTarget> target;
@@ -449,7 +449,7 @@ void StabilityTracker::handOn(bool begins)
         // from its flattened copy, which is written in T's place.
         startSurface(piece);
         const SurfaceHalo halo(
-            timeSurface_.piece(), around(piece, searchReach(piece)), exchange_
+            timeSurface_.piece(), around(piece, searchReach(piece)), exchange_, images()
         );
         List<Match> atHome(halo.mesh().points.size());
         for (Match& match : atHome)

@@ -3,75 +3,147 @@
 
 #include "core/tracking/SurfaceHalo.H"
 
+#include "core/tracking/SurfaceImages.H"
+
 namespace Foam::stability
 {
 
+namespace
+{
+
+// The triangles of which the image may be in the region.
+DynamicList<label> trianglesIn(
+    const VoxelMask& region, const InterfaceMesh& mesh, const RigidMotion* motion
+)
+{
+    pointField points(mesh.points);
+    if (motion)
+    {
+        for (point& x : points)
+        {
+            x = (*motion)(x);
+        }
+    }
+    DynamicList<label> found;
+    forAll(mesh.triangles, trianglei)
+    {
+        const triFace& t = mesh.triangles[trianglei];
+        boundBox box(points[t[0]], points[t[0]]);
+        box.add(points[t[1]]);
+        box.add(points[t[2]]);
+        if (region.meets(box))
+        {
+            found.append(trianglei);
+        }
+    }
+    return found;
+}
+
+boundBox moved(const boundBox& box, const RigidMotion& motion)
+{
+    boundBox result;
+    const pointField corners(box.points());
+    for (const point& x : corners)
+    {
+        result.add(motion(x));
+    }
+    return result;
+}
+
+} // namespace
+
 SurfaceHalo::SurfaceHalo(
-    const SurfacePiece& held, const VoxelMask& wanted, const Exchange& exchange
+    const SurfacePiece& held, const VoxelMask& wanted, const Exchange& exchange,
+    const PeriodicImages* images
 )
     : exchange_(exchange), nHeldPoints_(held.mesh.points.size()),
       nHeldTriangles_(held.mesh.triangles.size()), sent_(exchange.nRanks())
 {
     std::vector<SurfacePiece> parts{held};
-    if (exchange.nRanks() > 1)
+    if (exchange.nRanks() > 1 || images)
     {
-        const boundBox bounds(held.mesh.points, false);
-        const auto asked = askFor(bounds, wanted);
+        const auto asked =
+            askFor(boundBox(held.mesh.points, false), wanted, images);
         std::vector<Packet> answers(exchange.nRanks());
         for (std::size_t ranki = 0; ranki < asked.size(); ++ranki)
         {
-            if (asked[ranki].empty())
+            DynamicList<label> sent;
+            for (const Question& question : asked[ranki])
             {
-                continue;
-            }
-            VoxelMask region(wanted.size());
-            region.add(asked[ranki]);
-            DynamicList<label> found;
-            forAll(held.mesh.triangles, trianglei)
-            {
-                const triFace& t = held.mesh.triangles[trianglei];
-                boundBox box(held.mesh.points[t[0]], held.mesh.points[t[0]]);
-                box.add(held.mesh.points[t[1]]);
-                box.add(held.mesh.points[t[2]]);
-                if (region.meets(box))
+                VoxelMask region(wanted.size());
+                region.add(question.voxels);
+                const RigidMotion* motion =
+                    question.image ? &images->motion(question.image) : nullptr;
+                const DynamicList<label> found(trianglesIn(region, held.mesh, motion));
+                sent.append(found);
+                if (!found.empty())
                 {
-                    found.append(trianglei);
+                    SurfacePiece part(partOf(held, found));
+                    pack(
+                        motion ? imageOf(part, question.image, *images) : part,
+                        answers[ranki]
+                    );
                 }
             }
-            sent_[ranki] = found;
-            if (!found.empty())
-            {
-                pack(partOf(held, found), answers[ranki]);
-            }
+            sent_[ranki] = sent;
         }
         for (Packet& packet : exchange.exchange(std::move(answers)))
         {
-            if (!packet.empty())
+            while (!packet.atEnd())
             {
                 parts.push_back(unpackedSurface(packet));
             }
         }
     }
-    together(exchange, [&] { joined_ = join(parts); });
+    together(
+        exchange,
+        [&]
+        {
+            if (images)
+            {
+                fitTogether(parts);
+            }
+            joined_ = join(parts);
+        }
+    );
 }
 
-// Per rank the voxels that it asks this one for.
-std::vector<List<VoxelMask::Voxel>>
-SurfaceHalo::askFor(const boundBox& held, const VoxelMask& wanted) const
+// Per rank what it asks this one for.
+std::vector<std::vector<SurfaceHalo::Question>> SurfaceHalo::askFor(
+    const boundBox& held, const VoxelMask& wanted, const PeriodicImages* images
+) const
 {
     Packet mine;
     mine.put(held);
     std::vector<Packet> boxes = exchange_.toAll(mine);
-    std::vector<DynamicList<VoxelMask::Voxel>> questions(exchange_.nRanks());
+    std::vector<Packet> questions(exchange_.nRanks());
     for (label ranki = 0; ranki < exchange_.nRanks(); ++ranki)
     {
         const boundBox box(boxes[ranki].get<boundBox>());
-        if (ranki != exchange_.rank() && box.valid())
+        const label n = !box.valid() ? 0 : images ? images->nNearby() : 1;
+        for (label image = ranki == exchange_.rank(); image < n; ++image)
         {
-            questions[ranki] = wanted.within(box);
+            const DynamicList<VoxelMask::Voxel> voxels(
+                wanted.within(image ? moved(box, images->motion(image)) : box)
+            );
+            if (!voxels.empty())
+            {
+                questions[ranki].put(image);
+                questions[ranki].putList(voxels);
+            }
         }
     }
-    return exchange_.exchangeLists(questions);
+    std::vector<std::vector<Question>> asked;
+    for (Packet& packet : exchange_.exchange(std::move(questions)))
+    {
+        asked.emplace_back();
+        while (!packet.atEnd())
+        {
+            const label image = packet.get<label>();
+            asked.back().push_back({image, packet.getList<VoxelMask::Voxel>()});
+        }
+    }
+    return asked;
 }
 
 List<bool> SurfaceHalo::ownTriangles() const

@@ -12,7 +12,9 @@ namespace Foam::stability
 
 bool TriangleKey::operator<(const TriangleKey& k) const
 {
-    return where == k.where ? place < k.place : beforeByPosition(where, k.where);
+    return where != k.where   ? beforeByPosition(where, k.where)
+           : image != k.image ? image < k.image
+                              : place < k.place;
 }
 
 namespace

@@ -25,6 +25,14 @@ struct Arrival
     bool nearWall, left;
 };
 
+// The image of the cell in which the pathline would be, had it not been brought back.
+label unwrappedCell(const Pathline& path, const CellComplex& complex)
+{
+    const label cell = complex.globalCell(path.hint.cell);
+    const std::shared_ptr<const PeriodicImages>& images = complex.whole().images;
+    return images ? images->movedCell(cell, images->indexOf(path.way)) : cell;
+}
+
 } // namespace
 
 void TimeSurface::send(
@@ -106,7 +114,7 @@ TimeSurface::displacement(const CellComplex& complex, const Exchange& exchange) 
         if (path.hint.cell >= 0)
         {
             const scalar h = complex.cellSizes()[path.hint.cell];
-            sums[0].add(path.weight * magSqr(path.x - path.start) / sqr(h));
+            sums[0].add(path.weight * magSqr(path.unwrapped() - path.start) / sqr(h));
             sums[1].add(path.weight);
         }
     }
@@ -123,8 +131,8 @@ void TimeSurface::comeHome(const CellComplex& complex, const Exchange& exchange)
         Arrival arrival{};
         const label celli = path.hint.cell;
         arrival.id = path.id;
-        arrival.x = path.x;
-        arrival.cell = celli < 0 ? -1 : complex.globalCell(celli);
+        arrival.x = path.unwrapped();
+        arrival.cell = celli < 0 ? -1 : unwrappedCell(path, complex);
         arrival.cellSize = celli < 0 ? 0 : complex.cellSizes()[celli];
         arrival.nearWall = celli >= 0 && complex.nearWall(celli);
         arrival.left = path.state == PathlineState::left;

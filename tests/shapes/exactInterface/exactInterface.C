@@ -23,6 +23,9 @@ Usage
         through        | a point of that axis                  | no | (0 0 0)
         period         | of one revolution [s]; 0: none        | no | 0
         velocity       | of the body's translation [m/s]       | no | (0 0 0)
+        copies         | shifts to further copies of a sphere: those that cyclic
+                         patches make [m]                     | no | ()
+        sectors        | so many copies of it, about the axis | no | 1
         deformation    | of the unit cube, LeVeque's: period [s]; 0: none | no | 0
         velocityFactor | U is the body's own times this        | no | 1
         drift          | and faster along the normal by [m/s]  | no | 0
@@ -64,6 +67,8 @@ public:
           axis_(normalised(dict.lookupOrDefault("axis", vector(0, 0, 1)))),
           through_(dict.lookupOrDefault("through", point::zero)),
           velocity_(dict.lookupOrDefault("velocity", vector::zero)),
+          copies_(dict.lookupOrDefault("copies", List<vector>())),
+          sectors_(dict.lookupOrDefault<label>("sectors", 1)),
           velocityFactor_(dict.lookupOrDefault<scalar>("velocityFactor", 1)),
           drift_(dict.lookupOrDefault<scalar>("drift", 0)),
           deformation_(dict.lookupOrDefault<scalar>("deformation", 0))
@@ -83,8 +88,16 @@ public:
             return DeformedSphere({centre_, radius_}, deformation_)
                 .fractions(mesh.points(), mesh.cellPoints(), time);
         }
-        return shape_ == Shape::sphere ? sphereFractions(mesh, {at(time), radius_})
-                                       : planeFractions(mesh, at(time));
+        if (shape_ == Shape::plane)
+        {
+            return planeFractions(mesh, at(time));
+        }
+        scalarField fractions(mesh.nCells(), 0);
+        for (const point& centre : centresAt(time))
+        {
+            fractions += sphereFractions(mesh, {centre, radius_});
+        }
+        return fractions;
     }
 
     vector velocity(const point& x, scalar time) const
@@ -104,13 +117,35 @@ private:
 
     static scalar max(const vector& v) { return cmptMax(v); }
 
-    // Rotated about the axis (Rodrigues), then translated.
+    // Rodrigues.
+    point turned(const point& x, scalar angle) const
+    {
+        const vector arm = x - through_;
+        return through_ + std::cos(angle) * arm + std::sin(angle) * (axis_ ^ arm)
+               + (1 - std::cos(angle)) * (axis_ & arm) * axis_;
+    }
+
+    // Rotated about the axis, then translated.
     point at(scalar time) const
     {
-        const scalar angle = angularSpeed_ * time;
-        const vector arm = centre_ - through_;
-        return through_ + std::cos(angle) * arm + std::sin(angle) * (axis_ ^ arm)
-               + (1 - std::cos(angle)) * (axis_ & arm) * axis_ + time * velocity_;
+        return turned(centre_, angularSpeed_ * time) + time * velocity_;
+    }
+
+    // With the copies.
+    DynamicList<point> centresAt(scalar time) const
+    {
+        DynamicList<point> centres;
+        const point centre(at(time));
+        for (label i = 0; i < sectors_; ++i)
+        {
+            const scalar angle = i * constant::mathematical::twoPi / sectors_;
+            centres.append(i ? turned(centre, angle) : centre);
+        }
+        for (const vector& shift : copies_)
+        {
+            centres.append(centre + shift);
+        }
+        return centres;
     }
 
     static scalarField sphereFractions(const polyMesh& mesh, const Ball& ball)
@@ -155,6 +190,8 @@ private:
     vector axis_;
     point through_;
     vector velocity_;
+    List<vector> copies_;
+    label sectors_;
     scalar velocityFactor_;
     scalar drift_;
     scalar deformation_;      // [s]
