@@ -71,7 +71,7 @@ def rim_points(triangles):
     return np.unique(edges[counts == 1])
 
 
-def judge_halves(run, motion, verdict):
+def judge_halves(run, motion, options, verdict):
     """Where the surface goes through the patch both of its ends are the same."""
     worst = steps = several = 0
     areas = []
@@ -95,7 +95,7 @@ def judge_halves(run, motion, verdict):
             gaps = np.linalg.norm(x[:, None] - others[None], axis=2).min(axis=1)
             worst = max(worst, gaps.max())
     verdict.at_least("interfaces that go through the patch", steps, 5)
-    verdict.at_most("gap between both ends of the surface [m]", worst, 1e-12)
+    verdict.at_most("gap between both ends of the surface [m]", worst, options.gap)
     verdict.at_most("components of the surface", several, 1)
     exact = 4 * np.pi * RADIUS**2
     verdict.at_most(
@@ -106,6 +106,7 @@ def judge_halves(run, motion, verdict):
 def main():
     parser = parser_of(__doc__)
     parser.add_argument("--velocity", nargs=3, type=float, help="of a translation [m/s]")
+    parser.add_argument("--gap", type=float, default=1e-12, help="allowed there [m]")
     options = parser.parse_args()
     run, verdict = Run(options.case), Verdict()
     motion = (
@@ -114,7 +115,7 @@ def main():
         else Quarters(options.centre)
     )
     judge_rotation(run, options, verdict, motion)
-    judge_halves(run, motion, verdict)
+    judge_halves(run, motion, options, verdict)
     verdict.leave()
 
 

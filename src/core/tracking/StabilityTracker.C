@@ -205,7 +205,9 @@ void StabilityTracker::startSurface(const SurfacePiece& interface)
     const point apex = complex().whole().bounds.centre();
     const scalar reach = searchReach(interface);
     {
-        const SurfaceHalo halo(interface, around(interface, reach), exchange_, images());
+        const SurfaceHalo halo(
+            interface, around(interface, reach), exchange_, images()
+        );
         const Components components(halo, apex, exchange_);
         const List<bool> all(interface.mesh.triangles.size(), true);
         result_.parametrization = parametrize(
@@ -369,7 +371,8 @@ StabilityTracker::ComparedTimeSurface StabilityTracker::compare(const Extracted&
         fresh.piece, around(fresh.piece, aroundInterface * reach), exchange_, images()
     );
     const SurfaceHalo timeSurface(
-        timeSurface_.piece(), around(fresh.piece, forTransfer * reach), exchange_, images()
+        timeSurface_.piece(), around(fresh.piece, forTransfer * reach), exchange_,
+        images()
     );
     rateNoise(fresh, interface);
     std::optional<MatchTarget> target;

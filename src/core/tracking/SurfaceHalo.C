@@ -62,8 +62,7 @@ SurfaceHalo::SurfaceHalo(
     std::vector<SurfacePiece> parts{held};
     if (exchange.nRanks() > 1 || images)
     {
-        const auto asked =
-            askFor(boundBox(held.mesh.points, false), wanted, images);
+        const auto asked = askFor(boundBox(held.mesh.points, false), wanted, images);
         std::vector<Packet> answers(exchange.nRanks());
         for (std::size_t ranki = 0; ranki < asked.size(); ++ranki)
         {

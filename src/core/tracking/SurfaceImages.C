@@ -14,8 +14,8 @@ namespace Foam::stability
 namespace
 {
 
-constexpr scalar samePlace = 1e-6; // [cells]
-constexpr scalar sameP = 1e-9;     // of the unit square
+constexpr scalar samePlace = 1e-5; // [cells]
+constexpr scalar sameP = 1e-6;     // of the unit square
 
 // A point at the rim of a part: at an edge with one triangle.
 struct RimPoint
@@ -57,7 +57,8 @@ std::vector<std::vector<label>> parametersAtPoints(const InterfaceMesh& mesh)
         {
             const label index = mesh.corners[trianglei][k];
             std::vector<label>& known = result[mesh.triangles[trianglei][k]];
-            if (index >= 0 && std::find(known.begin(), known.end(), index) == known.end())
+            if (index >= 0
+                && std::find(known.begin(), known.end(), index) == known.end())
             {
                 known.push_back(index);
             }
@@ -76,6 +77,17 @@ public:
             const std::vector<RimPoint> rim(rimOf(parts[part], part));
             rim_.insert(rim_.end(), rim.begin(), rim.end());
             parameters_.push_back(parametersAtPoints(parts[part].mesh));
+            order_.push_back(part);
+        }
+        // What lies in its place first: so all ranks take over the same.
+        std::stable_sort(
+            order_.begin(), order_.end(),
+            [&](std::size_t a, std::size_t b) { return imageIn(a) < imageIn(b); }
+        );
+        places_.resize(parts.size());
+        for (std::size_t place = 0; place < order_.size(); ++place)
+        {
+            places_[order_[place]] = place;
         }
         std::sort(
             rim_.begin(), rim_.end(),
@@ -85,8 +97,7 @@ public:
 
     void run()
     {
-        // Ascending, so that all take over from the first.
-        for (std::size_t part = 1; part < parts_.size(); ++part)
+        for (const std::size_t part : order_) // all take over from the first
         {
             for (const RimPoint& point : rim_)
             {
@@ -100,6 +111,11 @@ public:
     }
 
 private:
+    label imageIn(std::size_t part) const
+    {
+        return parts_[part].keys.empty() ? 0 : parts_[part].keys[0].image;
+    }
+
     // Of the earlier parts the first that has a point there.
     const RimPoint* firstAt(const RimPoint& point) const
     {
@@ -115,8 +131,9 @@ private:
         {
             const vector way =
                 parts_[other->part].seeds[other->pointi] - piece.seeds[point.pointi];
-            if (other->part < point.part && magSqr(way) <= sqr(tolerance)
-                && (!first || other->part < first->part))
+            if (places_[other->part] < places_[point.part]
+                && magSqr(way) <= sqr(tolerance)
+                && (!first || places_[other->part] < places_[first->part]))
             {
                 first = &*other;
             }
@@ -129,6 +146,10 @@ private:
         SurfacePiece& piece = parts_[point.part];
         const SurfacePiece& from = parts_[first.part];
         piece.seeds[point.pointi] = from.seeds[first.pointi];
+        piece.mesh.points[point.pointi] = from.mesh.points[first.pointi];
+        piece.mesh.origins[point.pointi] = from.mesh.origins[first.pointi];
+        piece.mesh.cells[point.pointi] = from.mesh.cells[first.pointi];
+        piece.mesh.cellSizes[point.pointi] = from.mesh.cellSizes[first.pointi];
         for (const label index : parameters_[point.part][point.pointi])
         {
             vector2D& p = piece.mesh.parameters[index];
@@ -146,6 +167,7 @@ private:
 
     std::vector<SurfacePiece>& parts_;
     std::vector<RimPoint> rim_;
+    std::vector<std::size_t> order_, places_;                 // of the parts
     std::vector<std::vector<std::vector<label>>> parameters_; // per part and point
 };
 
