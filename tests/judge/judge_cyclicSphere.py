@@ -106,6 +106,7 @@ def judge_halves(run, motion, options, verdict):
 def main():
     parser = parser_of(__doc__)
     parser.add_argument("--velocity", nargs=3, type=float, help="of a translation [m/s]")
+    parser.add_argument("--uncrossed", action="store_true", help="there is no patch")
     parser.add_argument("--gap", type=float, default=1e-12, help="allowed there [m]")
     options = parser.parse_args()
     run, verdict = Run(options.case), Verdict()
@@ -115,7 +116,8 @@ def main():
         else Quarters(options.centre)
     )
     judge_rotation(run, options, verdict, motion)
-    judge_halves(run, motion, options, verdict)
+    if not options.uncrossed:
+        judge_halves(run, motion, options, verdict)
     verdict.leave()
 
 

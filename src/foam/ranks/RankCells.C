@@ -27,12 +27,6 @@ bool leadsOn(const polyPatch& patch)
     return isA<processorPolyPatch>(patch) || isCyclic(patch);
 }
 
-// What other meshes are interpolated to (cyclicAMI, overset) is an open boundary.
-bool interpolates(const polyPatch& patch)
-{
-    return (patch.coupled() && !leadsOn(patch)) || patch.type() == "overset";
-}
-
 BoundaryKind kindOf(const polyPatch& patch)
 {
     if (leadsOn(patch))
@@ -56,6 +50,17 @@ BoundaryKind kindOf(const polyPatch& patch)
         return BoundaryKind::symmetry;
     }
     return BoundaryKind::open;
+}
+
+// Its other side is interpolated (cyclicAMI, overset): an open boundary. These types
+// say of themselves that they constrain fields, but not always that they are coupled.
+bool interpolates(const polyPatch& patch)
+{
+    const bool constrains = patch.coupled() || polyPatch::constraintType(patch.type());
+    const bool understood = leadsOn(patch) || isA<emptyPolyPatch>(patch)
+                            || isA<wedgePolyPatch>(patch)
+                            || kindOf(patch) == BoundaryKind::symmetry;
+    return constrains && !understood;
 }
 
 CellComplexInput complexInput(const fvMesh& mesh)
