@@ -402,13 +402,14 @@ void AnalysisSession::writeTimings()
 void AnalysisSession::tellMessages() const
 {
     const label n = max(nClassified_, label(1));
-    const scalar messages = returnReduce(messages_.nMessages() / n, maxOp<label>());
+    const scalar messages = returnReduce(messages_.nMessages() / n, maxOp<scalar>());
     const scalar kilobytes =
         returnReduce(messages_.nBytes() / n / 1024, maxOp<scalar>());
     if (progress_.shown())
     {
-        Info << "interfaceStability: a rank sent up to " << messages << " messages and "
-             << label(std::ceil(kilobytes)) << " kB per classified time" << endl;
+        Info << "interfaceStability: a rank sent up to " << label(std::ceil(messages))
+             << " messages and " << label(std::ceil(kilobytes))
+             << " kB per classified time" << endl;
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/Errors.H"
 #include "core/flow/FluxVelocity.H"
+#include "foam/Failures.H"
 #include "fvMesh.H"
 
 namespace Foam::stability
@@ -105,11 +106,11 @@ std::shared_ptr<FlowSnapshot> MeshSnapshots::take(
         }
         snapshot->check();
     }
-    catch (const BadInput& bad)
+    catch (const std::exception& bad)
     {
         failure = "Fields " + alpha.name() + (phi ? ", " + phi->name() : "") + " and "
                   + U.name() + " at time " + alpha.time().timeName() + ": "
-                  + bad.what();
+                  + describe(bad);
     }
     messages_.agree<BadInput>(failure);
     if (phi)

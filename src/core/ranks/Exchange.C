@@ -4,6 +4,7 @@
 #include "core/ranks/Exchange.H"
 
 #include "core/Errors.H"
+#include "error.H"
 
 namespace Foam::stability
 {
@@ -39,9 +40,14 @@ void together(const Exchange& exchange, const std::function<void()>& work)
     {
         work();
     }
+    catch (const Foam::error& caught) // it does not tell by what()
+    {
+        failure = "OpenFOAM: " + caught.message();
+    }
     catch (const std::exception& caught)
     {
         failure = caught.what();
+        failure += failure.empty() ? "an exception without a text" : "";
     }
     exchange.agree<NumericalFailure>(failure);
 }

@@ -3,8 +3,11 @@
 
 #include "core/tracking/SpreadChart.H"
 
+#include "core/flow/CanonicalOrder.H"
 #include "core/ranks/ExactSum.H"
 #include "core/tracking/SurfaceHalo.H"
+
+#include <algorithm>
 
 namespace Foam::stability
 {
@@ -39,6 +42,16 @@ SpreadChart::SpreadChart(const SurfacePiece& held, const Exchange& exchange)
     {
         all.append(packet.getList<SeamNode>());
     }
+    // Several ranks may have been told of the same ones.
+    std::sort(
+        all.begin(), all.end(),
+        [](const SeamNode& a, const SeamNode& b) { return beforeByPosition(a.x, b.x); }
+    );
+    const auto end = std::unique(
+        all.begin(), all.end(),
+        [](const SeamNode& a, const SeamNode& b) { return a.x == b.x; }
+    );
+    all.setSize(label(end - all.begin()));
     ends_ = List<SeamNode>(std::move(all));
     if (exchange.nRanks() == 1)
     {

@@ -63,36 +63,24 @@ SurfaceHalo::SurfaceHalo(
     if (exchange.nRanks() > 1 || images)
     {
         const auto asked = askFor(boundBox(held.mesh.points, false), wanted, images);
-        std::vector<Packet> answers(exchange.nRanks());
-        for (std::size_t ranki = 0; ranki < asked.size(); ++ranki)
-        {
-            DynamicList<label> sent;
-            for (const Question& question : asked[ranki])
+        std::vector<Packet> answers;
+        together(
+            exchange, [&] { answers = answer(held, asked, wanted.size(), images); }
+        );
+        answers = exchange.exchange(std::move(answers));
+        together(
+            exchange,
+            [&]
             {
-                VoxelMask region(wanted.size());
-                region.add(question.voxels);
-                const RigidMotion* motion =
-                    question.image ? &images->motion(question.image) : nullptr;
-                const DynamicList<label> found(trianglesIn(region, held.mesh, motion));
-                sent.append(found);
-                if (!found.empty())
+                for (Packet& packet : answers)
                 {
-                    SurfacePiece part(partOf(held, found));
-                    pack(
-                        motion ? imageOf(part, question.image, *images) : part,
-                        answers[ranki]
-                    );
+                    while (!packet.atEnd())
+                    {
+                        parts.push_back(unpackedSurface(packet));
+                    }
                 }
             }
-            sent_[ranki] = sent;
-        }
-        for (Packet& packet : exchange.exchange(std::move(answers)))
-        {
-            while (!packet.atEnd())
-            {
-                parts.push_back(unpackedSurface(packet));
-            }
-        }
+        );
     }
     together(
         exchange,
@@ -105,6 +93,37 @@ SurfaceHalo::SurfaceHalo(
             joined_ = join(parts);
         }
     );
+}
+
+std::vector<Packet> SurfaceHalo::answer(
+    const SurfacePiece& held, const std::vector<std::vector<Question>>& asked,
+    scalar voxelSize, const PeriodicImages* images
+)
+{
+    std::vector<Packet> answers(asked.size());
+    for (std::size_t ranki = 0; ranki < asked.size(); ++ranki)
+    {
+        DynamicList<label> sent;
+        for (const Question& question : asked[ranki])
+        {
+            VoxelMask region(voxelSize);
+            region.add(question.voxels);
+            const RigidMotion* motion =
+                question.image ? &images->motion(question.image) : nullptr;
+            const DynamicList<label> found(trianglesIn(region, held.mesh, motion));
+            sent.append(found);
+            if (!found.empty())
+            {
+                SurfacePiece part(partOf(held, found));
+                pack(
+                    motion ? imageOf(part, question.image, *images) : part,
+                    answers[ranki]
+                );
+            }
+        }
+        sent_[ranki] = sent;
+    }
+    return answers;
 }
 
 // Per rank what it asks this one for.
