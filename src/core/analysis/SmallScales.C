@@ -212,16 +212,13 @@ SmallScales smallScales(
 std::vector<Droplet>
 gatheredDroplets(const std::vector<Droplet>& here, const Exchange& exchange)
 {
-    std::vector<DynamicList<Droplet>> toRanks(exchange.nRanks());
+    DynamicList<Droplet> mine;
     for (const Droplet& droplet : here)
     {
-        toRanks[0].append(droplet);
+        mine.append(droplet);
     }
-    std::vector<Droplet> all;
-    for (const List<Droplet>& some : exchange.exchangeLists(toRanks))
-    {
-        all.insert(all.end(), some.begin(), some.end());
-    }
+    const DynamicList<Droplet> joined(exchange.joinedOnMaster(mine));
+    std::vector<Droplet> all(joined.begin(), joined.end());
     std::sort(
         all.begin(), all.end(),
         [](const Droplet& a, const Droplet& b) { return a.component < b.component; }

@@ -204,13 +204,13 @@ scalar packPieces(
     const Exchange& exchange
 )
 {
-    std::vector<DynamicList<ChartBox>> mine(exchange.nRanks());
+    DynamicList<ChartBox> mine;
     forAll(pieces, i)
     {
-        mine[0].append(ChartBox{
+        mine.append(ChartBox{
             interface.keys[patches[i].lowestTriangle], boxSize(pieces[i].parameters)});
     }
-    const std::vector<List<ChartBox>> boxes(exchange.exchangeLists(mine));
+    const std::vector<List<ChartBox>> boxes(exchange.listsToMaster(mine));
     std::vector<DynamicList<ChartPlace>> places(exchange.nRanks());
     Packet packet;
     together(

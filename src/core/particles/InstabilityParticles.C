@@ -212,35 +212,12 @@ IntegrationCounts InstabilityParticles::advance(
     const CellComplex& complex, const Exchange& exchange
 )
 {
-    IntegrationCounts counts;
-    travel(
-        particles_, complex, exchange,
-        [&](UList<InstabilityParticle>& here)
-        {
-            List<Pathline> paths(here.size());
-            forAll(here, i)
-            {
-                paths[i] = here[i].path;
-            }
-            counts += stability::advance(paths, velocity, options);
-            forAll(here, i)
-            {
-                here[i].path = paths[i];
-            }
-        }
-    );
-    return counts;
+    return travel(particles_, velocity, options, complex, exchange);
 }
 
 List<InstabilityParticle> InstabilityParticles::gathered(const Exchange& exchange) const
 {
-    std::vector<DynamicList<InstabilityParticle>> mine(exchange.nRanks());
-    mine[0].append(particles_);
-    DynamicList<InstabilityParticle> all;
-    for (const List<InstabilityParticle>& some : exchange.exchangeLists(mine))
-    {
-        all.append(some);
-    }
+    DynamicList<InstabilityParticle> all(exchange.joinedOnMaster(here()));
     std::sort(
         all.begin(), all.end(),
         [](const InstabilityParticle& a, const InstabilityParticle& b)

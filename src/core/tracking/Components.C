@@ -4,7 +4,6 @@
 #include "core/tracking/Components.H"
 
 #include "core/analysis/SubGridDroplets.H"
-#include "core/mesh/DisjointSets.H"
 #include "core/mesh/SurfaceTopology.H"
 
 #include <algorithm>
@@ -15,14 +14,6 @@ namespace Foam::stability
 
 namespace
 {
-
-template<class T>
-std::vector<List<T>> toMaster(const List<T>& mine, const Exchange& exchange)
-{
-    std::vector<DynamicList<T>> toRanks(exchange.nRanks());
-    toRanks[0] = mine;
-    return exchange.exchangeLists(toRanks);
-}
 
 } // namespace
 
@@ -40,8 +31,8 @@ Components::Components(
     }
     const List<OnRank> known(halo.triangleValues(held));
 
-    const auto parts = toMaster(measure(halo, topology, apex), exchange);
-    const auto touching = toMaster(contacts(halo, topology, known), exchange);
+    const auto parts = exchange.listsToMaster(measure(halo, topology, apex));
+    const auto touching = exchange.listsToMaster(contacts(halo, topology, known));
     std::vector<DynamicList<Verdict>> verdicts(exchange.nRanks());
     together(
         exchange,
@@ -209,37 +200,14 @@ List<Components::Contact> Components::contacts(
     return List<Contact>(std::move(result));
 }
 
-// On the master: which parts are one, and what that is.
-std::vector<List<Components::Verdict>> Components::judge(
-    const std::vector<List<Part>>& parts, const std::vector<List<Contact>>& contacts
+// The sums of the parts that are one; `places`: per root where its sum is.
+std::vector<Components::Whole> Components::sumUp(
+    const std::vector<List<Part>>& parts, const labelList& starts, DisjointSets& sets,
+    labelList& places
 )
 {
-    const label nRanks = parts.size();
-    labelList starts(nRanks + 1, 0);
-    for (label ranki = 0; ranki < nRanks; ++ranki)
-    {
-        starts[ranki + 1] = starts[ranki] + parts[ranki].size();
-    }
-    DisjointSets sets(starts[nRanks]);
-    for (label ranki = 0; ranki < nRanks; ++ranki)
-    {
-        for (const Contact& contact : contacts[ranki])
-        {
-            sets.unite(
-                starts[ranki] + contact.own,
-                starts[contact.other.first()] + contact.other.second()
-            );
-        }
-    }
-
-    struct Whole
-    {
-        label root, home;
-        Part sum;
-    };
     std::vector<Whole> wholes;
-    labelList places(starts[nRanks], -1);
-    for (label ranki = 0; ranki < nRanks; ++ranki)
+    for (label ranki = 0; ranki < label(parts.size()); ++ranki)
     {
         forAll(parts[ranki], i)
         {
@@ -263,6 +231,34 @@ std::vector<List<Components::Verdict>> Components::judge(
             whole.sum.cellSizes += part.cellSizes;
         }
     }
+    return wholes;
+}
+
+// On the master: which parts are one, and what that is.
+std::vector<List<Components::Verdict>> Components::judge(
+    const std::vector<List<Part>>& parts, const std::vector<List<Contact>>& contacts
+)
+{
+    const label nRanks = parts.size();
+    labelList starts(nRanks + 1, 0);
+    for (label ranki = 0; ranki < nRanks; ++ranki)
+    {
+        starts[ranki + 1] = starts[ranki] + parts[ranki].size();
+    }
+    DisjointSets sets(starts[nRanks]);
+    for (label ranki = 0; ranki < nRanks; ++ranki)
+    {
+        for (const Contact& contact : contacts[ranki])
+        {
+            sets.unite(
+                starts[ranki] + contact.own,
+                starts[contact.other.first()] + contact.other.second()
+            );
+        }
+    }
+
+    labelList places(starts[nRanks], -1);
+    std::vector<Whole> wholes(sumUp(parts, starts, sets, places));
     std::sort(
         wholes.begin(), wholes.end(),
         [](const Whole& a, const Whole& b) { return a.sum.lowest < b.sum.lowest; }

@@ -10,9 +10,7 @@ namespace Foam::stability
 
 labelList placesInOrder(const UList<TriangleKey>& keys, const Exchange& exchange)
 {
-    std::vector<DynamicList<TriangleKey>> mine(exchange.nRanks());
-    mine[0].append(keys);
-    const auto all = exchange.exchangeLists(mine);
+    const std::vector<List<TriangleKey>> all(exchange.listsToMaster(keys));
     std::vector<DynamicList<label>> places(exchange.nRanks());
     together(
         exchange,

@@ -216,6 +216,19 @@ spread(const List<SeamNode>& all, const pointField& points, const Exchange& exch
 
 } // namespace
 
+List<SeamNode> allSeamNodes(
+    const SurfacePiece& piece, const SurfaceTopology& topology, const UList<bool>& own,
+    const Exchange& exchange
+)
+{
+    const DynamicList<SeamPoint> ends(
+        exchange.joinedOnMaster(OwnSeams(piece, topology, own).ends())
+    );
+    List<SeamNode> nodes;
+    together(exchange, [&] { nodes = nodesOf(ends); });
+    return nodes;
+}
+
 SeamShape seamShape(
     const SurfacePiece& piece, const SurfaceTopology& topology, const UList<bool>& own,
     const Exchange& exchange
@@ -223,16 +236,9 @@ SeamShape seamShape(
 {
     SeamShape shape;
     shape.scale = scaleOf(piece.mesh, own, exchange);
-    std::vector<DynamicList<SeamPoint>> ends(exchange.nRanks());
-    ends[0] = OwnSeams(piece, topology, own).ends();
-    DynamicList<SeamPoint> all;
-    for (const List<SeamPoint>& some : exchange.exchangeLists(ends))
-    {
-        all.append(some);
-    }
-    List<SeamNode> nodes;
-    together(exchange, [&] { nodes = nodesOf(all); });
-    shape.nodes = spread(nodes, piece.mesh.points, exchange);
+    shape.nodes = spread(
+        allSeamNodes(piece, topology, own, exchange), piece.mesh.points, exchange
+    );
     return shape;
 }
 

@@ -3,7 +3,6 @@
 
 #include "core/tracking/SpreadChart.H"
 
-#include "core/flow/CanonicalOrder.H"
 #include "core/ranks/ExactSum.H"
 #include "core/tracking/SurfaceHalo.H"
 
@@ -27,32 +26,17 @@ SpreadChart::SpreadChart(const SurfacePiece& held, const Exchange& exchange)
 
     const SurfaceTopology topology(mesh.points.size(), mesh.triangles);
     const List<bool> own(mesh.triangles.size(), true);
-    Packet mine;
     DynamicList<SeamNode> ends;
-    for (const SeamNode& node : seamShape(held, topology, own, exchange).nodes)
+    for (const SeamNode& node : allSeamNodes(held, topology, own, exchange))
     {
         if (node.isEnd)
         {
             ends.append(node);
         }
     }
-    mine.putList(ends);
-    DynamicList<SeamNode> all;
-    for (Packet& packet : exchange.toAll(mine))
-    {
-        all.append(packet.getList<SeamNode>());
-    }
-    // Several ranks may have been told of the same ones.
-    std::sort(
-        all.begin(), all.end(),
-        [](const SeamNode& a, const SeamNode& b) { return beforeByPosition(a.x, b.x); }
-    );
-    const auto end = std::unique(
-        all.begin(), all.end(),
-        [](const SeamNode& a, const SeamNode& b) { return a.x == b.x; }
-    );
-    all.setSize(label(end - all.begin()));
-    ends_ = List<SeamNode>(std::move(all));
+    Packet packet;
+    packet.putList(ends);
+    ends_ = exchange.fromMaster(packet).getList<SeamNode>();
     if (exchange.nRanks() == 1)
     {
         alone_ = StartChart(mesh, meanCellSize_, ends_);

@@ -234,7 +234,8 @@ void StabilityTracker::startSurface(const SurfacePiece& interface)
 }
 
 List<Match> StabilityTracker::matchBoth(
-    const SurfaceHalo& interface, const MatchTarget& target, List<Match>& onTimeSurface
+    const SurfaceHalo& interface, const MatchTarget& target,
+    const SurfaceHalo& timeSurface, List<Match>& onTimeSurface
 )
 {
     enter(Phase::matching);
@@ -247,7 +248,9 @@ List<Match> StabilityTracker::matchBoth(
         {
             const MatchTarget interfaceTarget(interface.mesh(), options);
             onInterface = matchPoints(interface.mesh(), target, options);
-            onTimeSurface = matchPoints(target.mesh(), interfaceTarget, options);
+            onTimeSurface = matchPoints(
+                target.mesh(), interfaceTarget, options, timeSurface.held()
+            );
         }
     );
     return onInterface;
@@ -381,7 +384,7 @@ StabilityTracker::ComparedTimeSurface StabilityTracker::compare(const Extracted&
         [&] { target.emplace(timeSurface.mesh(), changes_[present()].matching); }
     );
     List<Match> onTimeSurface;
-    List<Match> onInterface(matchBoth(interface, *target, onTimeSurface));
+    List<Match> onInterface(matchBoth(interface, *target, timeSurface, onTimeSurface));
     carryOver(interface, *target, timeSurface, onInterface);
     return {timeSurface, describeTimeSurface(timeSurface, onTimeSurface)};
 }

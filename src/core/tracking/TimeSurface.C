@@ -96,13 +96,7 @@ IntegrationCounts TimeSurface::advance(
     const CellComplex& complex, const Exchange& exchange
 )
 {
-    IntegrationCounts counts;
-    travel(
-        pathlines_, complex, exchange,
-        [&](UList<Pathline>& here)
-        { counts += stability::advance(here, velocity, options); }
-    );
-    return counts;
+    return travel(pathlines_, velocity, options, complex, exchange);
 }
 
 scalar
