@@ -286,6 +286,7 @@ TEST(Components, areNumberedAndWholeAcrossRanks)
                 label n[3] = {0, 0, 0};
                 forAll(here.components, i)
                 {
+                    ASSERT_LT(here.components[i], 3);
                     ++n[here.components[i]];
                 }
                 label total[3] = {0, 0, 0};
