@@ -256,11 +256,19 @@ fileName AnalysisSession::resultPath() const
     return resultFolder_ / mesh_.time().timeName();
 }
 
-void AnalysisSession::makeFolder()
+void AnalysisSession::prepareResults()
 {
+    path_ = resultPath();
     if (controls_.writeToFile)
     {
-        folder_ = std::make_unique<ResultFolder>(path_, controls_.writePrecision);
+        onMaster(
+            [&] {
+                folder_ =
+                    std::make_unique<ResultFolder>(path_, controls_.writePrecision);
+            }
+        );
+        series_ =
+            std::make_unique<ResultSeries>(path_, controls_.surfaceParts, messages_);
     }
 }
 
@@ -279,8 +287,7 @@ void AnalysisSession::advance()
     if (!tracker_.started())
     {
         auto snapshot = takeSnapshot();
-        path_ = resultPath();
-        onMaster([&] { makeFolder(); });
+        prepareResults();
         tracker_.start(std::move(snapshot));
         announce();
     }
@@ -354,26 +361,19 @@ void AnalysisSession::writeFiles()
     writeTurns();
 }
 
-// What is written is brought together on the master.
 void AnalysisSession::writeTurns()
 {
     const auto itsTurn = [&](label interval)
-    { return controls_.writeToFile && interval > 0 && latest_->index % interval == 0; };
+    { return series_ && interval > 0 && latest_->index % interval == 0; };
     {
         const Busy writing(writingSeconds_);
         if (itsTurn(controls_.surfaceInterval))
         {
-            const ClassifiedSurface interface(gathered(latest_->interface, messages_));
-            const ClassifiedSurface timeSurface(
-                gathered(latest_->timeSurface, messages_)
-            );
-            onMaster([&] { folder_->writeSurfaces(interface, timeSurface, *latest_); });
+            series_->writeSurfaces(*latest_);
         }
         if (itsTurn(controls_.particleInterval))
         {
-            const List<InstabilityParticle> all(tracker_.particles().gathered(messages_)
-            );
-            onMaster([&] { folder_->writeParticles(all, *latest_); });
+            series_->writeParticles(tracker_.particles(), *latest_);
         }
     }
     onMaster([&] { writeTimings(); });

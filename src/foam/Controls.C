@@ -41,6 +41,11 @@ const Enum<OnError> onErrorNames({
     {OnError::resume, "resume"},
 });
 
+const Enum<SurfaceParts> surfacePartsNames({
+    {SurfaceParts::whole, "whole"},
+    {SurfaceParts::pieces, "pieces"},
+});
+
 const wordList ownEntries{
     "alpha",
     "U",
@@ -65,7 +70,8 @@ const wordList ownEntries{
     "volumeFit",
     "writePrecision",
     "surfaceInterval",
-    "particleInterval"};
+    "particleInterval",
+    "surfaceParts"};
 
 const wordList solverEntries{
     "classifyControl", "classifyInterval", "classifyDisplacement", "writeToFile",
@@ -312,6 +318,8 @@ Controls readControls(const dictionary& dict, Shell shell)
         readNumber<label>(dict, "surfaceInterval", 1, Range{0, 1e9, ""});
     controls.particleInterval =
         readNumber<label>(dict, "particleInterval", 1, Range{0, 1e9, ""});
+    controls.surfaceParts =
+        readEnum(dict, "surfaceParts", SurfaceParts::whole, surfacePartsNames);
     controls.writeToFile = readSwitch(dict, "writeToFile", true);
     controls.classify = readClassify(dict);
     controls.onError = readEnum(dict, "onError", OnError::stop, onErrorNames);

@@ -4,7 +4,6 @@
 #include "foam/MeshSnapshots.H"
 
 #include "core/Errors.H"
-#include "core/flow/FluxVelocity.H"
 #include "foam/Failures.H"
 #include "fvMesh.H"
 
@@ -85,7 +84,7 @@ MeshSnapshots::MeshSnapshots(
 std::shared_ptr<FlowSnapshot> MeshSnapshots::take(
     const volScalarField& alpha, const volVectorField& U, scalar time,
     const surfaceScalarField* phi
-) const
+)
 {
     const CellComplex& complex = *cells_.complex();
     auto snapshot = std::make_shared<FlowSnapshot>();
@@ -102,7 +101,11 @@ std::shared_ptr<FlowSnapshot> MeshSnapshots::take(
     {
         if (phi)
         {
-            snapshot->U = fluxVelocity(complex, cells_.fluxes(faceValues(*phi)));
+            if (!fluxVelocity_)
+            {
+                fluxVelocity_ = std::make_unique<const FluxVelocity>(complex);
+            }
+            snapshot->U = (*fluxVelocity_)(cells_.fluxes(faceValues(*phi)));
         }
         snapshot->check();
     }

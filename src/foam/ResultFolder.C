@@ -4,14 +4,8 @@
 #include "foam/ResultFolder.H"
 
 #include "core/Errors.H"
-#include "core/FileReplacement.H"
-#include "foam/VtkLibrary.H"
+#include "foam/ResultSeries.H"
 #include "OSspecific.H"
-#include "fileNameList.H"
-#include "sigFpe.H"
-
-#include <iomanip>
-#include <sstream>
 
 namespace Foam::stability
 {
@@ -19,15 +13,7 @@ namespace Foam::stability
 namespace
 {
 
-constexpr int textureSize = 1024; // [pixels]
 const fileName previousName("previous");
-
-std::unique_ptr<ResultWriter> openWriter()
-{
-    void* symbol = vtkEntryPoint("interfaceStabilityNewVtpWriter");
-    const auto newWriter = reinterpret_cast<ResultWriter* (*)()>(symbol);
-    return std::unique_ptr<ResultWriter>(newWriter());
-}
 
 // A part of the path that exists and is no folder; empty if there is none.
 fileName obstacle(const fileName& path)
@@ -41,13 +27,6 @@ fileName obstacle(const fileName& path)
         }
     }
     return fileName();
-}
-
-std::string timeText(scalar time)
-{
-    std::ostringstream os;
-    os << std::setprecision(15) << time;
-    return os.str();
 }
 
 } // namespace
@@ -87,46 +66,42 @@ ResultFolder::ResultFolder(const fileName& path, label precision)
 
 void ResultFolder::open()
 {
-    if (writer_)
+    if (!opened_)
     {
-        return;
+        if (!mkDir(path_))
+        {
+            throw std::runtime_error("Cannot make the folder " + path_ + ".");
+        }
+        putEarlierResultsAside();
+        opened_ = true;
     }
-    writer_ = openWriter();
-    if (!mkDir(path_))
-    {
-        writer_.reset();
-        throw std::runtime_error("Cannot make the folder " + path_ + ".");
-    }
-    putEarlierResultsAside();
-    const sigFpe::ignore untrapped;
-    writer_->writeTexture(path_ / "texture.png", textureSize);
 }
 
 // The lists and tables first: no moment shows lists of files that are gone.
-std::vector<fileName> ResultFolder::results(const fileName& folder) const
+std::vector<fileName> ResultFolder::results(const fileName& folder)
 {
-    std::vector<fileName> names;
-    for (const char* name :
+    std::vector<fileName> names(ResultSeries::files(folder));
+    for (const char* table :
          {"stability.dat", "survival.dat", "droplets.dat", "timing.dat"})
     {
-        names.push_back(name);
-    }
-    for (const Family* family : {&interfaces_, &timeSurfaces_, &particles_})
-    {
-        names.push_back(family->name + ".vtp.series");
-    }
-    for (const Family* family : {&interfaces_, &timeSurfaces_, &particles_})
-    {
-        for (const fileName& file : readDir(folder, fileName::FILE, false))
+        if (isFile(folder / table, false))
         {
-            const std::string stem = family->name + "_";
-            if (file.compare(0, stem.size(), stem) == 0 && file.hasExt("vtp"))
-            {
-                names.push_back(file);
-            }
+            names.insert(names.begin(), table);
         }
     }
     return names;
+}
+
+void ResultFolder::remove(const fileName& path)
+{
+    if (isDir(path))
+    {
+        rmDir(path, true);
+    }
+    else
+    {
+        rm(path);
+    }
 }
 
 // A run that breaks off must not cost the results of the one before. Where there are
@@ -139,9 +114,9 @@ void ResultFolder::putEarlierResultsAside() const
     {
         if (kept)
         {
-            rm(path_ / name);
+            remove(path_ / name);
         }
-        else if (isFile(path_ / name, false) && (isDir(aside) || mkDir(aside)))
+        else if (isDir(aside) || mkDir(aside))
         {
             mv(path_ / name, aside / name);
         }
@@ -157,52 +132,9 @@ void ResultFolder::complete() const
     }
     for (const fileName& name : results(aside))
     {
-        rm(aside / name);
+        remove(aside / name);
     }
     rmDir(aside); // if nothing of the user's is in it
-}
-
-void ResultFolder::writeFamily(
-    Family& family, const ResultSurface& surface, label index
-)
-{
-    std::ostringstream name;
-    name << family.name << '_' << std::setw(6) << std::setfill('0') << index << ".vtp";
-    {
-        const sigFpe::ignore untrapped; // VTK divides by zero at times
-        writer_->writeVtp(path_ / name.str(), surface);
-    }
-    family.entries.push_back(
-        "{ \"name\" : \"" + name.str() + "\", \"time\" : " + timeText(surface.time)
-        + " }"
-    );
-
-    std::string text = "{\n  \"file-series-version\" : \"1.0\",\n  \"files\" : [\n";
-    for (std::size_t i = 0; i < family.entries.size(); ++i)
-    {
-        const bool last = i + 1 == family.entries.size();
-        text += "    " + family.entries[i] + (last ? "\n" : ",\n");
-    }
-    replaceFile(path_ / (family.name + ".vtp.series"), text + "  ]\n}\n");
-}
-
-void ResultFolder::writeSurfaces(
-    const ClassifiedSurface& interface, const ClassifiedSurface& time,
-    const Classification& c
-)
-{
-    open();
-    const scalar now = c.statistics.time;
-    writeFamily(interfaces_, interfaceSurface(interface, now), c.index);
-    writeFamily(timeSurfaces_, timeSurface(time, now), c.index);
-}
-
-void ResultFolder::writeParticles(
-    const UList<InstabilityParticle>& particles, const Classification& c
-)
-{
-    open();
-    writeFamily(particles_, particleCloud(particles, c.statistics.time), c.index);
 }
 
 void ResultFolder::writeTables(const Classification& c)

@@ -16,9 +16,9 @@ FAMILIES = ("interface", "timeSurface", "particles")
 class Surface:
     """One .vtp file: points, triangles and the arrays over the points."""
 
-    def __init__(self, path):
+    def __init__(self, path, Reader=vtkXMLPolyDataReader):
         self.path = Path(path)
-        reader = vtkXMLPolyDataReader()
+        reader = Reader()
         errors = []
         reader.AddObserver("ErrorEvent", lambda *_: errors.append(1))
         reader.SetFileName(str(path))
@@ -91,7 +91,7 @@ class Run:
         base = case / "postProcessing" / "interfaceStability"
         folders = sorted(base.glob("*")) if base.is_dir() else []
         self.folder = folders[0] if folders else case
-        if not list(self.folder.glob("interface_*.vtp")):
+        if not list(self.folder.glob("interface_*.*vtp")):
             raise FileNotFoundError(f"no results of interfaceStability under {case}")
 
     def paths(self, family):

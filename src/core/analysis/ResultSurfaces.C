@@ -127,8 +127,10 @@ void append(PointArray& array, const vector2D& p)
 }
 
 // What both surfaces have in common.
-ResultSurface
-surface(const ClassifiedSurface& from, const SplitPoints& split, scalar time)
+ResultSurface surface(
+    const ClassifiedSurface& from, const SplitPoints& split, scalar time,
+    const labelList& numbers
+)
 {
     ResultSurface result;
     result.time = time;
@@ -143,7 +145,10 @@ surface(const ClassifiedSurface& from, const SplitPoints& split, scalar time)
     const labelList& vertex = split.vertex;
     result.arrays = {
         parameter,
-        scalars("vertex", true, vertex, [](label i) { return i; }),
+        scalars(
+            "vertex", true, vertex,
+            [&](label i) { return numbers.empty() ? i : numbers[i]; }
+        ),
         scalars(
             "stability", true, vertex, [&](label i) { return label(from.stability[i]); }
         ),
@@ -167,10 +172,11 @@ surface(const ClassifiedSurface& from, const SplitPoints& split, scalar time)
 
 } // namespace
 
-ResultSurface interfaceSurface(const ClassifiedSurface& from, scalar time)
+ResultSurface
+interfaceSurface(const ClassifiedSurface& from, scalar time, const labelList& numbers)
 {
     const SplitPoints points(split(from.mesh, displayCorners(from)));
-    ResultSurface result(surface(from, points, time));
+    ResultSurface result(surface(from, points, time, numbers));
     const labelList& vertex = points.vertex;
 
     PointArray texture{"TCoords", 2, false, {}};
@@ -191,10 +197,11 @@ ResultSurface interfaceSurface(const ClassifiedSurface& from, scalar time)
     return result;
 }
 
-ResultSurface timeSurface(const ClassifiedSurface& from, scalar time)
+ResultSurface
+timeSurface(const ClassifiedSurface& from, scalar time, const labelList& numbers)
 {
     const SplitPoints points(split(from.mesh, from.mesh.corners));
-    ResultSurface result(surface(from, points, time));
+    ResultSurface result(surface(from, points, time, numbers));
     result.arrays.push_back(scalars(
         "nearWall", true, points.vertex,
         [&](label i) { return label(from.nearWall[i]); }

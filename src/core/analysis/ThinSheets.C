@@ -43,31 +43,34 @@ List<bool> thinPoints(const InterfaceMesh& mesh, label nThreads)
         return thin;
     }
     const vectorField normals = mesh.pointNormals();
-    const SurfaceLocator locator(mesh.points, mesh.triangles, mesh.meanCellSize());
-#pragma omp parallel num_threads(nThreads)
+    vectorField areas(mesh.triangles.size());
+    forAll(areas, trianglei)
     {
-        DynamicList<label> near;
-#pragma omp for schedule(dynamic, 64)
-        for (label pointi = 0; pointi < mesh.points.size(); ++pointi)
-        {
-            const point& x = mesh.points[pointi];
-            const scalar reach = thinnestResolved * mesh.cellSizes[pointi];
-            locator.candidates(x, reach, near);
-            for (const label trianglei : near)
+        areas[trianglei] = mesh.areaVector(trianglei);
+    }
+    const SurfaceLocator locator(mesh.points, mesh.triangles, mesh.meanCellSize());
+#pragma omp parallel for schedule(dynamic, 64) num_threads(nThreads)
+    for (label pointi = 0; pointi < mesh.points.size(); ++pointi)
+    {
+        const point& x = mesh.points[pointi];
+        const vector& normal = normals[pointi];
+        const vector arm = thinnestResolved * mesh.cellSizes[pointi] * normal;
+        const vector halfWidth = cmptMag(arm);
+        bool found = false;
+        locator.visitWithin(
+            x - halfWidth, x + halfWidth,
+            [&](label trianglei)
             {
                 const triFace& t = mesh.triangles[trianglei];
-                if ((mesh.areaVector(trianglei) & normals[pointi]) < 0
-                    && !t.found(pointi)
-                    && meets(
-                        x, reach * normals[pointi], mesh.points[t[0]],
-                        mesh.points[t[1]], mesh.points[t[2]]
-                    ))
-                {
-                    thin[pointi] = true;
-                    break;
-                }
+                found = found
+                        || ((areas[trianglei] & normal) < 0 && !t.found(pointi)
+                            && meets(
+                                x, arm, mesh.points[t[0]], mesh.points[t[1]],
+                                mesh.points[t[2]]
+                            ));
             }
-        }
+        );
+        thin[pointi] = found;
     }
     return thin;
 }

@@ -4,7 +4,6 @@
 #include "core/flow/FluxVelocity.H"
 
 #include "core/Errors.H"
-#include "symmTensor.H"
 
 #include <cmath>
 #include <string>
@@ -36,35 +35,51 @@ void check(const CellComplex& complex, const scalarField& fluxes)
     }
 }
 
-// The velocity U that minimises the sum of (U & Sf - phi)^2/|Sf| over these faces. A
-// face that is seen from its other side changes neither sum.
-vector
-bestFit(const UList<label>& faces, const vectorField& areas, const scalarField& fluxes)
-{
-    symmTensor matrix(Zero); // [m2], sum of Sf Sf/|Sf|
-    vector side(Zero);       // [m3/s], sum of Sf/|Sf| phi
-    for (const label facei : faces)
-    {
-        const scalar size = mag(areas[facei]);
-        if (size > VSMALL)
-        {
-            const vector normal = areas[facei] / size;
-            matrix += size * sqr(normal);
-            side += fluxes[facei] * normal;
-        }
-    }
-    return inv(matrix) & side;
-}
-
 } // namespace
 
-vectorField fluxVelocity(const CellComplex& complex, const scalarField& fluxes)
+// U minimises the sum of (U & Sf - phi)^2/|Sf| over the faces of a cell. A face that is
+// seen from its other side changes nothing.
+FluxVelocity::FluxVelocity(const CellComplex& complex)
+    : complex_(complex), normals_(complex.nFaces(), Zero),
+      inverses_(complex.nCells(), symmTensor(Zero))
 {
-    check(complex, fluxes);
-    vectorField U(complex.nCells());
+    scalarField sizes(mag(complex.faceAreas()));
+    forAll(normals_, facei)
+    {
+        if (sizes[facei] > VSMALL)
+        {
+            normals_[facei] = complex.faceAreas()[facei] / sizes[facei];
+        }
+    }
+    forAll(inverses_, celli)
+    {
+        if (complex.own(celli))
+        {
+            symmTensor matrix(Zero); // [m2], sum of Sf Sf/|Sf|
+            for (const label facei : complex.cellFaces()[celli])
+            {
+                matrix += sizes[facei] * sqr(normals_[facei]);
+            }
+            inverses_[celli] = inv(matrix);
+        }
+    }
+}
+
+vectorField FluxVelocity::operator()(const scalarField& fluxes) const
+{
+    check(complex_, fluxes);
+    vectorField U(complex_.nCells(), Zero);
     forAll(U, celli)
     {
-        U[celli] = bestFit(complex.cellFaces()[celli], complex.faceAreas(), fluxes);
+        if (complex_.own(celli))
+        {
+            vector side(Zero); // [m3/s], sum of Sf/|Sf| phi
+            for (const label facei : complex_.cellFaces()[celli])
+            {
+                side += fluxes[facei] * normals_[facei];
+            }
+            U[celli] = inverses_[celli] & side;
+        }
     }
     return U;
 }

@@ -315,33 +315,10 @@ void SurfaceLocator::candidates(
 ) const
 {
     result.clear();
-    if (!std::isfinite(x.x() + x.y() + x.z()))
-    {
-        return;
-    }
     const vector halfWidth(radius, radius, radius);
-    Box low = boxOf(x - halfWidth), high = boxOf(x + halfWidth);
-    for (label d = 0; d < 3; ++d)
-    {
-        low[d] = std::max(low[d], label(0));
-        high[d] = std::min(high[d], nBoxes_[d] - 1);
-    }
-    for (label i = low[0]; i <= high[0]; ++i)
-    {
-        for (label j = low[1]; j <= high[1]; ++j)
-        {
-            for (label k = low[2]; k <= high[2]; ++k)
-            {
-                for (const label trianglei : trianglesIn(i, j, k))
-                {
-                    if (isFirstMet(trianglei, low, Box{i, j, k}))
-                    {
-                        result.append(trianglei);
-                    }
-                }
-            }
-        }
-    }
+    visitWithin(
+        x - halfWidth, x + halfWidth, [&](label trianglei) { result.append(trianglei); }
+    );
     std::sort(result.begin(), result.end());
 }
 

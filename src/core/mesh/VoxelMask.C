@@ -23,6 +23,16 @@ std::int64_t placeOf(scalar x, scalar size)
 
 } // namespace
 
+VoxelMask::Voxel VoxelMask::voxelAt(const point& x) const
+{
+    Voxel voxel = 0;
+    for (direction d = 0; d < 3; ++d)
+    {
+        voxel = (voxel << bits) | Voxel(placeOf(x[d], size_));
+    }
+    return voxel;
+}
+
 // Calls `visit` for the voxels that the box meets, until it returns true.
 template<class Visit>
 void VoxelMask::visit(const boundBox& box, const Visit& visit) const
@@ -50,6 +60,10 @@ void VoxelMask::visit(const boundBox& box, const Visit& visit) const
 
 void VoxelMask::add(const point& x, scalar reach)
 {
+    if (reach == size_ && !centres_.insert(voxelAt(x)).second)
+    {
+        return; // a point of the same voxel has added all that this one would
+    }
     const vector wide(reach, reach, reach);
     add(boundBox(x - wide, x + wide));
 }
@@ -66,8 +80,14 @@ void VoxelMask::add(const boundBox& box)
     );
 }
 
-void VoxelMask::add(const point& a, const point& b, const point& c, scalar reach)
+void VoxelMask::add(
+    const point& a, const point& b, const point& c, scalar reach, const boundBox& within
+)
 {
+    if (!within.overlaps(boundBox(min(a, min(b, c)), max(a, max(b, c)))))
+    {
+        return;
+    }
     const scalar ab = magSqr(b - a), bc = magSqr(c - b), ca = magSqr(a - c);
     if (std::max(ab, std::max(bc, ca)) <= sqr(size_))
     {
@@ -78,16 +98,16 @@ void VoxelMask::add(const point& a, const point& b, const point& c, scalar reach
     else if (ab >= bc && ab >= ca)
     {
         const point m = 0.5 * (a + b);
-        add(a, m, c, reach);
-        add(m, b, c, reach);
+        add(a, m, c, reach, within);
+        add(m, b, c, reach, within);
     }
     else if (bc >= ca)
     {
-        add(b, c, a, reach);
+        add(b, c, a, reach, within);
     }
     else
     {
-        add(c, a, b, reach);
+        add(c, a, b, reach, within);
     }
 }
 

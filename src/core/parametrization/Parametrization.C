@@ -110,6 +110,7 @@ joined(const InterfaceMesh& mesh, const List<Patch>& patches, const List<Piece>&
     result.joined = false;
     InterfaceMesh& surface = result.mesh;
     sizeLists(surface, nPoints, nTriangles, nParameters);
+    result.keys.setSize(nTriangles);
 
     label startPoint = 0, startTriangle = 0, startParameter = 0;
     forAll(pieces, i)
@@ -125,7 +126,7 @@ joined(const InterfaceMesh& mesh, const List<Patch>& patches, const List<Piece>&
         }
         forAll(piece.copy.surface.triangles, j)
         {
-            result.keys.append(TriangleKey{point(piece.number, 0, 0), j});
+            result.keys[startTriangle + j] = {point(piece.number, 0, 0), j};
         }
         startPoint += piece.copy.surface.points.size();
         startTriangle += piece.copy.surface.triangles.size();

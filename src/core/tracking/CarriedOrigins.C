@@ -19,13 +19,30 @@ point CarriedOrigins::at(const Match& match, label source) const
 {
     const SurfacePoint& x = match.nearest;
     const bool elsewhere = source >= 0 && !timeSurface_.parametrized(x.triangle);
-    const label trianglei = elsewhere ? source : x.triangle;
+    return elsewhere ? extrapolated(source, x.position)
+                     : onTriangle(x.triangle, x.weights);
+}
+
+point CarriedOrigins::onTriangle(label trianglei, const FixedList<scalar, 3>& weights)
+    const
+{
+    const triFace& t = timeSurface_.triangles[trianglei];
+    return interpolation_.at(trianglei, CornerIndices{t[0], t[1], t[2]}, weights);
+}
+
+// Slivers know little of what is around them.
+point CarriedOrigins::extrapolated(label trianglei, const point& x) const
+{
+    constexpr scalar stretch = 4; // at most, as of p
     const triFace& t = timeSurface_.triangles[trianglei];
     const pointField& y = timeSurface_.points;
-    return interpolation_.at(
-        trianglei, CornerIndices{t[0], t[1], t[2]},
-        elsewhere ? planeWeights(x.position, y[t[0]], y[t[1]], y[t[2]]) : x.weights
-    );
+    const SurfacePoint foot = closestPoint(x, y[t[0]], y[t[1]], y[t[2]]);
+    const point known = onTriangle(trianglei, foot.weights);
+    const vector beyond =
+        onTriangle(trianglei, planeWeights(x, y[t[0]], y[t[1]], y[t[2]])) - known;
+    const scalar reach = stretch * foot.distance;
+    const scalar length = mag(beyond);
+    return length > reach ? known + reach / length * beyond : known + beyond;
 }
 
 // Where T has carried this origin: on the triangle near that comes closest to it.

@@ -4,7 +4,7 @@
 #include "core/tracking/Matching.H"
 
 #include <algorithm>
-#include <numeric>
+#include <vector>
 
 namespace Foam::stability
 {
@@ -85,38 +85,74 @@ void MatchTarget::admittedWithin(
     result.setSize(n);
 }
 
+// As closestOn(...).distance < radius, mostly without it.
+bool MatchTarget::isWithin(label trianglei, const point& x, scalar radius) const
+{
+    const triFace& t = mesh_.triangles[trianglei];
+    const point &a = mesh_.points[t[0]], &b = mesh_.points[t[1]],
+                &c = mesh_.points[t[2]];
+    for (const point* corner : {&a, &b, &c})
+    {
+        if (magSqr(*corner - x) < sqr(radius))
+        {
+            return true;
+        }
+    }
+    for (direction d = 0; d < 3; ++d)
+    {
+        const scalar low = std::min(a[d], std::min(b[d], c[d]));
+        const scalar high = std::max(a[d], std::max(b[d], c[d]));
+        if (low > x[d] + radius || high < x[d] - radius)
+        {
+            return false;
+        }
+    }
+    return locator_.closestOn(trianglei, x).distance < radius;
+}
+
 label MatchTarget::countPatches(const point& x, const vector& normal, scalar epsilon)
     const
 {
-    static thread_local DynamicList<label> near;
-    static thread_local DynamicList<label> parents;
-    admittedWithin(x, normal, epsilon, near);
-    parents.setSize(near.size());
-    std::iota(parents.begin(), parents.end(), label(0));
-    const auto rootOf = [](label i)
-    {
-        while (parents[i] != i)
+    static thread_local std::vector<label> near, front;
+    static thread_local std::vector<bool> waits; // per triangle: near, in no patch yet
+    near.clear();
+    waits.resize(std::max(waits.size(), std::size_t(mesh_.triangles.size())), false);
+    const vector halfWidth(epsilon, epsilon, epsilon);
+    locator_.visitWithin(
+        x - halfWidth, x + halfWidth,
+        [&](label trianglei)
         {
-            i = parents[i] = parents[parents[i]];
-        }
-        return i;
-    };
-
-    label nPatches = near.size();
-    forAll(near, i)
-    {
-        for (const label edgei : topology_.triangleEdges()[near[i]])
-        {
-            for (const label other : topology_.edges()[edgei].triangles)
+            if (admits(trianglei, normal) && isWithin(trianglei, x, epsilon))
             {
-                const auto found = std::lower_bound(near.begin(), near.end(), other);
-                if (found == near.end() || *found != other)
+                near.push_back(trianglei);
+                waits[trianglei] = true;
+            }
+        }
+    );
+    label nPatches = 0;
+    for (const label start : near)
+    {
+        if (!waits[start])
+        {
+            continue;
+        }
+        ++nPatches;
+        waits[start] = false;
+        front.assign(1, start);
+        while (!front.empty())
+        {
+            const label trianglei = front.back();
+            front.pop_back();
+            for (const label edgei : topology_.triangleEdges()[trianglei])
+            {
+                for (const label other : topology_.edges()[edgei].triangles)
                 {
-                    continue;
+                    if (other >= 0 && waits[other])
+                    {
+                        waits[other] = false;
+                        front.push_back(other);
+                    }
                 }
-                const label r = rootOf(i), s = rootOf(found - near.begin());
-                nPatches -= r != s;
-                parents[std::max(r, s)] = std::min(r, s);
             }
         }
     }

@@ -22,6 +22,12 @@ SpreadChart::SpreadChart(const SurfacePiece& held, const Exchange& exchange)
         sums[1].add(1);
     }
     sum(sums, exchange);
+    Packet box;
+    box.put(boundBox(mesh.points, false));
+    for (Packet& ofRank : exchange.toAll(box))
+    {
+        bounds_.add(ofRank.get<boundBox>());
+    }
     meanCellSize_ = sums[0].value() / std::max(sums[1].value(), scalar(1));
 
     const SurfaceTopology topology(mesh.points.size(), mesh.triangles);
@@ -55,10 +61,16 @@ StartChart SpreadChart::around(
     // Interpolation leaves the triangles of T a little.
     const scalar reach = 3 * StartChart::reach * meanCellSize_;
     VoxelMask wanted(std::max(reach, scalar(VSMALL)));
-    for (const triFace& t : timeSurface.triangles)
+    const vector wide(reach, reach, reach);
+    const boundBox bounds(bounds_.min() - wide, bounds_.max() + wide);
+    forAll(timeSurface.triangles, trianglei)
     {
-        const pointField& o = timeSurface.origins;
-        wanted.add(o[t[0]], o[t[1]], o[t[2]], reach);
+        if (timeSurface.parametrized(trianglei))
+        {
+            const triFace& t = timeSurface.triangles[trianglei];
+            const pointField& o = timeSurface.origins;
+            wanted.add(o[t[0]], o[t[1]], o[t[2]], reach, bounds);
+        }
     }
     for (const point& x : unmatched)
     {

@@ -135,9 +135,10 @@ scalar StabilityTracker::displacement()
     return timeSurface_.displacement(complex(), exchange_);
 }
 
-StabilityTracker::Extracted StabilityTracker::extract() const
+StabilityTracker::Extracted StabilityTracker::extract()
 {
     enter(Phase::reconstruction);
+    const Busy watch(timings_.reconstruction);
     Extracted extracted;
     together(
         exchange_,

@@ -21,10 +21,18 @@ namespace fs = std::filesystem;
 
 constexpr const char* interfaceSeries = "interface.vtp.series";
 
+// The list of a family: of whole files, or of those that name pieces.
+fs::path seriesIn(const fs::path& folder, const std::string& family)
+{
+    std::error_code ignored;
+    const fs::path pieces = folder / (family + ".pvtp.series");
+    return fs::exists(pieces, ignored) ? pieces : folder / (family + ".vtp.series");
+}
+
 bool holdsResults(const fs::path& folder)
 {
     std::error_code ignored;
-    return fs::exists(folder / interfaceSeries, ignored);
+    return fs::exists(seriesIn(folder, "interface"), ignored);
 }
 
 // The folder below `parent` whose list of interfaces is the newest.
@@ -42,7 +50,7 @@ fs::path newestBelow(const fs::path& parent)
     const auto age = [](const fs::path& folder)
     {
         std::error_code ignored;
-        return fs::last_write_time(folder / interfaceSeries, ignored);
+        return fs::last_write_time(seriesIn(folder, "interface"), ignored);
     };
     std::sort(found.begin(), found.end()); // equal ages: not left to the file system
     const auto newest = std::max_element(
@@ -103,8 +111,9 @@ std::string available(const std::vector<Frame>& frames)
 
 ResultFiles::ResultFiles(const fs::path& folder) : path_(findResults(folder))
 {
-    const auto particles = readSeries(path_ / "particles.vtp.series");
-    for (const SeriesEntry& entry : readSeries(path_ / interfaceSeries))
+    const fs::path interfaces = seriesIn(path_, "interface");
+    const auto particles = readSeries(seriesIn(path_, "particles"));
+    for (const SeriesEntry& entry : readSeries(interfaces))
     {
         Frame frame{entry.index, entry.time, path_ / entry.file, {}};
         for (const SeriesEntry& cloud : particles)
@@ -119,7 +128,7 @@ ResultFiles::ResultFiles(const fs::path& folder) : path_(findResults(folder))
     if (frames_.empty())
     {
         throw std::runtime_error(
-            "The list " + (path_ / interfaceSeries).string() + " names no interface."
+            "The list " + interfaces.string() + " names no interface."
         );
     }
     std::sort(

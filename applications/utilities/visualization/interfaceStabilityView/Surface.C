@@ -20,6 +20,7 @@
 #include <vtkProperty.h>
 #include <vtkShaderProperty.h>
 #include <vtkVectorOperators.h>
+#include <vtkXMLPPolyDataReader.h>
 #include <vtkXMLPolyDataReader.h>
 
 #include <stdexcept>
@@ -129,16 +130,25 @@ vtkSmartPointer<vtkPolyData> present(vtkPolyData& particles)
     return result;
 }
 
+template<class Reader>
+vtkSmartPointer<vtkXMLReader> readerOf()
+{
+    return vtkSmartPointer<Reader>::New();
+}
+
 } // namespace
 
 vtkSmartPointer<vtkPolyData> readSurface(const std::filesystem::path& path)
 {
     checkReadable(path);
-    vtkNew<vtkXMLPolyDataReader> reader;
+    const bool pieces = path.extension() == ".pvtp";
+    const auto reader =
+        pieces ? readerOf<vtkXMLPPolyDataReader>() : readerOf<vtkXMLPolyDataReader>();
     reader->SetFileName(path.c_str());
     reader->Update();
-    checkRead(path, reader->GetErrorCode() == 0 && reader->GetOutput()->GetPoints());
-    return reader->GetOutput();
+    auto* surface = vtkPolyData::SafeDownCast(reader->GetOutputDataObject(0));
+    checkRead(path, reader->GetErrorCode() == 0 && surface && surface->GetPoints());
+    return surface;
 }
 
 vtkSmartPointer<vtkTexture> readTexture(const std::filesystem::path& path)

@@ -45,7 +45,7 @@ fluxesOf(const CellComplex& complex, const std::function<vector(const point&)>& 
 void expectUniform(const CellComplex& complex)
 {
     const scalarField fluxes(fluxesOf(complex, [](const point&) { return U0; }));
-    const vectorField U(fluxVelocity(complex, fluxes));
+    const vectorField U(FluxVelocity(complex)(fluxes));
     ASSERT_EQ(U.size(), complex.nCells());
     forAll(U, celli)
     {
@@ -57,7 +57,8 @@ std::string messageOf(const CellComplex& complex, const scalarField& fluxes)
 {
     try
     {
-        fluxVelocity(complex, fluxes);
+        const FluxVelocity velocity(complex);
+        velocity(fluxes);
     }
     catch (const BadInput& error)
     {
@@ -91,7 +92,7 @@ TEST(FluxVelocity, aLinearVelocityIsExactInBoxes)
 {
     const auto complex = shapes::box(options());
     const auto flow = [](const point& x) { return U0 + (gradient & x); };
-    const vectorField U(fluxVelocity(*complex, fluxesOf(*complex, flow)));
+    const vectorField U(FluxVelocity(*complex)(fluxesOf(*complex, flow)));
     forAll(U, celli)
     {
         EXPECT_LT(mag(U[celli] - flow(complex->cellCentres()[celli])), 1e-12) << celli;
@@ -119,7 +120,7 @@ TEST(FluxVelocity, facesOfTheBoundaryCountAndMisfitsAreShared)
             fluxes[facei] = 3; // through 2 m2 on one side, nothing on the other
         }
     }
-    const vectorField U(fluxVelocity(*complex, fluxes));
+    const vectorField U(FluxVelocity(*complex)(fluxes));
     EXPECT_LT(mag(U[0] - vector(3.5, 0.75, 0)), 1e-14);
 }
 

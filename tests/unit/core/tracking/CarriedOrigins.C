@@ -153,3 +153,28 @@ TEST(CarriedOrigins, areNotMixedWithThoseOfWhatAttached)
     EXPECT_LT(mag(origins.at(match, source) - exact), 1e-12);
     EXPECT_GT(mag(origins.at(match, -1) - exact), 1);
 }
+
+// A sliver with a small error says nothing sensible of what lies beside it.
+TEST(CarriedOrigins, areNotCarriedFarBeyondATriangle)
+{
+    InterfaceMesh T;
+    T.points = List<point>{
+        point(0, 0, 0), point(1, 0, 0), point(0.5, 1e-6, 0), point(0.5, -1, 0)};
+    T.triangles = List<triFace>{triFace(0, 1, 2), triFace(1, 0, 3)};
+    T.cells = labelList(4, -1);
+    T.boundaryFaces = labelList(4, -1);
+    T.cellSizes = scalarField(4, 1);
+    T.clearParametrization();
+    T.parameters = List<vector2D>{vector2D(0, 0), vector2D(1, 0), vector2D(0.5, 0.1)};
+    T.corners[0] = CornerIndices{0, 1, 2};
+    T.origins = T.points;
+    T.origins[2].z() = 1e-3;
+    const MatchTarget target(T, MatchingOptions());
+    const StartChart none;
+    const CarriedOrigins origins(target, none);
+    Match match;
+    match.nearest = target.locator().closestOn(1, point(0.5, -0.1, 0));
+    const point near(origins.at(match, 0));
+    EXPECT_LE(mag(near - point(0.5, 0, 0)), 4 * 0.1 + 1e-3);
+    EXPECT_GT(mag(near - point(0.5, 0, 0)), 0.05); // it does extrapolate
+}

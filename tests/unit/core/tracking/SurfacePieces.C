@@ -4,6 +4,7 @@
 // Surfaces dealt out to ranks, and what the ranks make of them, against the whole.
 
 #include "core/tracking/Components.H"
+#include "core/tracking/PointNumbers.H"
 #include "core/tracking/SeamShape.H"
 #include "shapes/Surfaces.H"
 #include "shapes/ThreadRanks.H"
@@ -11,7 +12,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <mutex>
+#include <set>
 
 using namespace Foam;
 using namespace Foam::stability;
@@ -161,6 +164,56 @@ TEST(SurfacePieces, whatIsNotJoinedStaysApart)
     const JoinedSurface joined(join({partOf(whole, halves[0]), partOf(whole, halves[1])}
     ));
     EXPECT_GT(joined.piece.mesh.points.size(), whole.mesh.points.size() + 20);
+}
+
+// One number for each point of the whole, whoever has it, and no number without a
+// point.
+TEST(SurfacePieces, pointsAreNumberedAlikeOnAllRanks)
+{
+    const SurfacePiece whole(wholeScene());
+    for (const label nRanks : rankCounts)
+    {
+        std::map<label, point> seeds;
+        label nPoints = 0;
+        onAll(
+            nRanks,
+            [&](const Exchange& exchange, std::mutex& turn)
+            {
+                const SurfacePiece piece(share(whole, exchange));
+                const labelList numbers(pointNumbers(piece, exchange));
+                const std::lock_guard<std::mutex> lock(turn);
+                nPoints += numbers.size();
+                forAll(numbers, i)
+                {
+                    const auto at = seeds.insert({numbers[i], piece.seeds[i]}).first;
+                    EXPECT_EQ(at->second, piece.seeds[i]);
+                }
+            }
+        );
+        EXPECT_EQ(label(seeds.size()), whole.seeds.size());
+        EXPECT_EQ(seeds.begin()->first, 0);
+        EXPECT_EQ(seeds.rbegin()->first, whole.seeds.size() - 1);
+        EXPECT_GE(nPoints, whole.seeds.size() + (nRanks > 1 ? 20 : 0));
+    }
+}
+
+// What is not joined: the ranks' points one after the other.
+TEST(SurfacePieces, pointsOfSurfacesThatAreNotJoinedAllHaveNumbersOfTheirOwn)
+{
+    std::set<label> found;
+    onAll(
+        3,
+        [&](const Exchange& exchange, std::mutex& turn)
+        {
+            SurfaceOrder order;
+            order.joined = false;
+            order.seeds = pointField(4 - exchange.rank(), point(1, 2, 3));
+            const labelList numbers(pointNumbers(order, exchange));
+            const std::lock_guard<std::mutex> lock(turn);
+            found.insert(numbers.begin(), numbers.end());
+        }
+    );
+    EXPECT_EQ(found, (std::set<label>{0, 1, 2, 3, 4, 5, 6, 7, 8}));
 }
 
 // Two triangles become three and one: those of the own one stay, with keys in order.
@@ -357,9 +410,16 @@ TEST(VoxelMask, meetsWhatIsNearAndNothingElse)
 
     // A large triangle is followed along its surface, not by its box.
     VoxelMask triangle(0.1);
-    triangle.add(point(0, 0, 0), point(4, 0, 4), point(0, 3, 0), 0.01);
+    const boundBox all(point(-9, -9, -9), point(9, 9, 9));
+    triangle.add(point(0, 0, 0), point(4, 0, 4), point(0, 3, 0), 0.01, all);
     EXPECT_TRUE(triangle.meets(boundBox(point(2, 0.5, 2), point(2.01, 0.51, 2.01))));
     EXPECT_FALSE(triangle.meets(boundBox(point(3, 0.5, 1), point(3.2, 0.7, 1.2))));
+
+    // Of one that would never end what is in the box.
+    VoxelMask far(0.1);
+    far.add(point(-1, 0, 0), point(1e9, 0, 0), point(-1, 1e9, 0), 0.1, all);
+    EXPECT_TRUE(far.meets(boundBox(point(4, 4, 0.01), point(4.01, 4.01, 0.02))));
+    EXPECT_FALSE(far.meets(boundBox(point(20, 20, 0), point(21, 21, 0.1))));
 
     VoxelMask copy(0.1);
     copy.add(triangle.within(boundBox(point(1, 0, 0), point(2, 3, 4))));
