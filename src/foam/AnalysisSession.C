@@ -82,6 +82,19 @@ void refuseInParallel(const Controls& controls)
     }
 }
 
+// Made by each rank; what one cannot make, all have not.
+template<class Make>
+auto onAll(const RankMessages& messages, const Make& make) -> decltype(make())
+{
+    if (messages.nRanks() == 1)
+    {
+        return make();
+    }
+    std::optional<decltype(make())> made;
+    messages.agree<BadInput>(failureOf([&] { made.emplace(make()); }));
+    return std::move(*made);
+}
+
 } // namespace
 
 AnalysisSession::AnalysisSession(
@@ -89,7 +102,10 @@ AnalysisSession::AnalysisSession(
     FieldSource source
 )
     : mesh_(mesh), controls_(controls), resultFolder_(folder),
-      fields_(mesh, controls.alpha, controls.U, source),
+      fields_(onAll(
+          messages_,
+          [&] { return CaseFields(mesh, controls.alpha, controls.U, source); }
+      )),
       flux_(mesh, controls.phi, controls.velocity, source),
       surfaces_(mesh.time(), controls.files),
       snapshots_(mesh, messages_, nRings(controls)),
@@ -142,6 +158,7 @@ void AnalysisSession::enter(Phase phase)
 
 void AnalysisSession::expect(const instantList& times)
 {
+    requireSame(times);
     if (times.size() < 2)
     {
         throw BadInput(
@@ -150,7 +167,6 @@ void AnalysisSession::expect(const instantList& times)
               "the time options and the time folders of the case."
         );
     }
-    requireSame(times);
     together(
         [&]
         {

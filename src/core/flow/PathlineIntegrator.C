@@ -315,9 +315,12 @@ IntegrationCounts advance(
     }
 
     IntegrationCounts total;
-    for (const IntegrationCounts& one : counts)
+    forAll(lines, i)
     {
-        total += one;
+        if (lines[i].counted)
+        {
+            total += counts[i];
+        }
     }
     return total;
 }

@@ -112,13 +112,18 @@ ClassifiedSurface gathered(const ClassifiedSurface& mine, const Exchange& exchan
     {
         return mine;
     }
-    SurfacePiece piece;
-    static_cast<SurfaceOrder&>(piece) = mine.order;
-    piece.mesh = mine.mesh;
     Packet packet;
-    pack(piece, packet);
-    visitValues(mine, [&](const auto& values) { packet.putList(values); });
-
+    together(
+        exchange,
+        [&]
+        {
+            SurfacePiece piece;
+            static_cast<SurfaceOrder&>(piece) = mine.order;
+            piece.mesh = mine.mesh;
+            pack(piece, packet);
+            visitValues(mine, [&](const auto& values) { packet.putList(values); });
+        }
+    );
     std::vector<SurfacePiece> parts;
     std::vector<Packet> packets(exchange.toMaster(std::move(packet)));
     ClassifiedSurface whole;

@@ -12,11 +12,6 @@
 namespace Foam::stability
 {
 
-namespace
-{
-
-} // namespace
-
 Components::Components(
     const SurfaceHalo& halo, const point& apex, const Exchange& exchange
 )
@@ -299,31 +294,38 @@ WholeComponents wholeComponents(
     }
     const labelList numbers(components.ofHeldTriangles());
     std::vector<Packet> packets(exchange.nRanks());
-    for (std::size_t ranki = 0; ranki < packets.size(); ++ranki)
-    {
-        if (!triangles[ranki].empty())
+    together(
+        exchange,
+        [&]
         {
-            pack(partOf(held, triangles[ranki]), packets[ranki]);
-            packets[ranki].putList(
-                labelList(UList<label>(numbers), labelUList(triangles[ranki]))
-            );
+            for (std::size_t ranki = 0; ranki < packets.size(); ++ranki)
+            {
+                if (!triangles[ranki].empty())
+                {
+                    pack(partOf(held, triangles[ranki]), packets[ranki]);
+                    packets[ranki].putList(
+                        labelList(UList<label>(numbers), labelUList(triangles[ranki]))
+                    );
+                }
+            }
         }
-    }
-    std::vector<SurfacePiece> parts;
-    std::vector<labelList> numbersOfParts;
-    for (Packet& packet : exchange.exchange(std::move(packets)))
-    {
-        if (!packet.empty())
-        {
-            parts.push_back(unpackedSurface(packet));
-            numbersOfParts.push_back(packet.getList<label>());
-        }
-    }
+    );
+    packets = exchange.exchange(std::move(packets));
     WholeComponents result;
     together(
         exchange,
         [&]
         {
+            std::vector<SurfacePiece> parts;
+            std::vector<labelList> numbersOfParts;
+            for (Packet& packet : packets)
+            {
+                if (!packet.empty())
+                {
+                    parts.push_back(unpackedSurface(packet));
+                    numbersOfParts.push_back(packet.getList<label>());
+                }
+            }
             JoinedSurface joined(join(parts));
             result.piece = std::move(joined.piece);
             result.components = joinedValues(numbersOfParts, joined.triangleSources);

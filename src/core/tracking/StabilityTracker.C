@@ -77,10 +77,16 @@ scalar StabilityTracker::time() const
 
 void StabilityTracker::start(std::shared_ptr<const FlowSnapshot> snapshot)
 {
-    snapshot->check();
+    together(
+        exchange_,
+        [&]
+        {
+            snapshot->check();
+            latestVelocity_ =
+                std::make_shared<const PointVelocity>(snapshot, options_.wallVelocity);
+        }
+    );
     latest_ = std::move(snapshot);
-    latestVelocity_ =
-        std::make_shared<const PointVelocity>(latest_, options_.wallVelocity);
     lastClassified_ = latest_->time;
 }
 
@@ -97,7 +103,6 @@ IntegrationCounts StabilityTracker::sumOf(const IntegrationCounts& here) const
 
 void StabilityTracker::advance(std::shared_ptr<const FlowSnapshot> snapshot)
 {
-    snapshot->check();
     if (!(snapshot->time > latest_->time))
     {
         std::ostringstream message;
@@ -108,7 +113,9 @@ void StabilityTracker::advance(std::shared_ptr<const FlowSnapshot> snapshot)
     std::shared_ptr<const PointVelocity> velocity;
     together(
         exchange_,
-        [&] {
+        [&]
+        {
+            snapshot->check();
             velocity =
                 std::make_shared<const PointVelocity>(snapshot, options_.wallVelocity);
         }

@@ -48,7 +48,8 @@ void TimeSurface::send(
         path.id = pointi;
         path.home = exchange.rank();
         path.x = path.start = mesh.points[pointi];
-        path.weight = marks_.counted[pointi] ? marks_.areas[pointi] : 0;
+        path.counted = marks_.counted[pointi];
+        path.weight = path.counted ? marks_.areas[pointi] : 0;
         path.time = time;
         path.hint.cell = mesh.cells[pointi];
         pathlines_.append(path);

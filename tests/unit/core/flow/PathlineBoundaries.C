@@ -223,6 +223,24 @@ TEST(PathlineBoundaries, FollowsABentWall)
     }
 }
 
+// As of the same point on several ranks: all move, one is in the numbers.
+TEST(PathlineBoundaries, CountsWhatIsToBeCounted)
+{
+    const auto complex = shapes::box(shapes::channel(6, BoundaryKind::open));
+    List<Pathline> lines = shapes::linesAt(List<point>(3, point(1.9, 0.5, 0.5)));
+    lines[0].counted = lines[2].counted = false;
+    const IntegrationCounts counts = shapes::throughSnapshots(
+        lines, complex, shapes::uniformFlow(vector(1, 0, 0)), 0, 1, 1,
+        IntegrationOptions()
+    );
+    EXPECT_EQ(counts.nLeft, 1);
+    EXPECT_EQ(counts.nSteps, lines[1].nSteps);
+    for (const Pathline& line : lines)
+    {
+        EXPECT_EQ(line.state, PathlineState::left);
+    }
+}
+
 TEST(PathlineBoundaries, FlowsAroundAnObstacle)
 {
     const auto inObstacle = [](const point& x, scalar gap)
