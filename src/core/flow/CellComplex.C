@@ -144,6 +144,27 @@ CellComplex::CellComplex(CellComplexInput input) : input_(std::move(input))
     }
 }
 
+labelList CellComplex::cellsAround(label celli) const
+{
+    DynamicList<label> points, cells;
+    for (const label facei : cellFaces_[celli])
+    {
+        points.append(input_.faces[facei]);
+    }
+    const auto sortUnique = [](DynamicList<label>& list)
+    {
+        std::sort(list.begin(), list.end());
+        list.setSize(label(std::unique(list.begin(), list.end()) - list.begin()));
+    };
+    sortUnique(points);
+    for (const label pointi : points)
+    {
+        cells.append(pointCells_[pointi]);
+    }
+    sortUnique(cells);
+    return labelList(std::move(cells));
+}
+
 void CellComplex::computeAddressing()
 {
     const label nCells = max(input_.owner) + 1;
@@ -151,6 +172,7 @@ void CellComplex::computeAddressing()
 
     cellFaces_ = facesOfCells(input_);
 
+    pointNeighbours_ = LazyLists(nCells);
     pointCells_ = Rows(
         nPoints(),
         [&](const auto& add)

@@ -12,82 +12,55 @@
 namespace Foam::stability
 {
 
-PointNeighbours::PointNeighbours(
-    const CellComplex& complex, const std::vector<label>& seeds, label nRings,
-    label nThreads
-)
-    : complex_(complex), cells_(seeds), rows_(complex.nCells(), -1)
+std::vector<label>
+withRings(const CellComplex& complex, const std::vector<label>& seeds, label nRings)
 {
-    for (std::size_t i = 0; i < cells_.size(); ++i)
+    std::vector<label> cells(seeds);
+    std::vector<bool> met(complex.nCells(), false);
+    for (const label celli : cells)
     {
-        rows_[cells_[i]] = i;
+        met[celli] = true;
     }
     std::size_t begin = 0;
-    for (label ring = 0; ring <= nRings; ++ring)
+    for (label ring = 0; ring < nRings; ++ring)
     {
-        const std::size_t end = cells_.size();
-        list(begin, nThreads);
-        for (; begin < end && ring < nRings; ++begin)
+        for (const std::size_t end = cells.size(); begin < end; ++begin)
         {
-            for (const label other : lists_[begin])
+            for (const label other : complex.pointNeighbours(cells[begin]))
             {
-                if (rows_[other] < 0)
+                if (!met[other])
                 {
-                    rows_[other] = cells_.size();
-                    cells_.push_back(other);
+                    met[other] = true;
+                    cells.push_back(other);
                 }
             }
         }
     }
+    return cells;
 }
 
-void PointNeighbours::list(std::size_t begin, label nThreads)
-{
-    lists_.resize(cells_.size());
-#pragma omp parallel for schedule(dynamic, 256) num_threads(nThreads)
-    for (std::size_t i = begin; i < cells_.size(); ++i)
-    {
-        std::vector<label>& around = lists_[i];
-        static thread_local std::vector<label> points;
-        points.clear();
-        for (const label facei : complex_.cellFaces()[cells_[i]])
-        {
-            const face& f = complex_.faces()[facei];
-            points.insert(points.end(), f.begin(), f.end());
-        }
-        std::sort(points.begin(), points.end());
-        points.erase(std::unique(points.begin(), points.end()), points.end());
-        for (const label pointi : points)
-        {
-            const UList<label> cells = complex_.pointCells()[pointi];
-            around.insert(around.end(), cells.begin(), cells.end());
-        }
-        std::sort(around.begin(), around.end());
-        around.erase(std::unique(around.begin(), around.end()), around.end());
-    }
-}
-
-const std::vector<label>& CellStencil::rings(label celli, label nRings)
+const UList<label>& CellStencil::rings(label celli, label nRings)
 {
     if (++present_ == 0)
     {
         std::fill(marks_.begin(), marks_.end(), 0);
         present_ = 1;
     }
-    cells_.assign(1, celli);
+    cells_.clear();
+    cells_.append(celli);
     marks_[celli] = present_;
-    std::size_t begin = 0;
+    label begin = 0;
     for (label ring = 0; ring < nRings; ++ring)
     {
-        const std::size_t end = cells_.size();
+        const label end = cells_.size();
         for (; begin < end; ++begin)
         {
-            for (const label other : neighbours_.of(cells_[begin]))
+            for (const label other : complex_.pointNeighbours(cells_[begin]))
             {
                 if (marks_[other] != present_)
                 {
                     marks_[other] = present_;
-                    cells_.push_back(other);
+                    cells_.append(other);
                 }
             }
         }
@@ -127,8 +100,8 @@ scalar spanOf(const CellComplex& complex, label celli)
 }
 
 vector gradientOver(
-    const CellComplex& complex, const std::vector<label>& cells,
-    const scalarField& values, scalar span
+    const CellComplex& complex, const UList<label>& cells, const scalarField& values,
+    scalar span
 )
 {
     const point& origin = complex.cellCentres()[cells[0]];

@@ -27,8 +27,7 @@ class Fitter
 {
 public:
     Fitter(const CellComplex& complex, const scalarField& alpha, label nThreads)
-        : complex_(complex), alpha_(alpha), nThreads_(nThreads),
-          neighbours_(complex, cellsWhere(alpha, isMixed), 1, nThreads)
+        : complex_(complex), alpha_(alpha), nThreads_(nThreads)
     {
     }
 
@@ -59,7 +58,7 @@ private:
         {
             return true;
         }
-        const std::vector<label>& around = stencil.rings(celli, 1);
+        const UList<label>& around = stencil.rings(celli, 1);
         return std::any_of(
             around.begin(), around.end(),
             [&](label other) {
@@ -71,7 +70,7 @@ private:
 
     void findCells()
     {
-        CellStencil stencil(neighbours_);
+        CellStencil stencil(complex_);
         for (const label celli : cellsWhere(alpha_, isMixed))
         {
             if (carriesInterface(stencil, celli))
@@ -186,7 +185,7 @@ private:
         List<InterfaceFit> fitted(result_.fits);
 #pragma omp parallel num_threads(nThreads_)
         {
-            CellStencil stencil(neighbours_);
+            CellStencil stencil(complex_);
 #pragma omp for schedule(dynamic, 64)
             for (label i = 0; i < fitted.size(); ++i)
             {
@@ -251,7 +250,6 @@ private:
     const CellComplex& complex_;
     const scalarField& alpha_;
     label nThreads_;
-    PointNeighbours neighbours_;
     PlicFits result_;
     Rows byCell_;
 };

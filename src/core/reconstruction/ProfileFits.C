@@ -73,7 +73,9 @@ scalar logit(scalar beta)
 struct Sample
 {
     vector x;
-    label cell;
+    scalar beta;
+    scalar weight; // by the way along the interface
+    bool saturated;
 };
 
 class Fitter
@@ -81,8 +83,7 @@ class Fitter
 public:
     Fitter(const CellComplex& complex, const scalarField& alpha, label nThreads)
         : complex_(complex), beta_(smoothed(complex, alpha)), logits_(alpha.size()),
-          gradients_(alpha.size()), nThreads_(nThreads),
-          neighbours_(complex, cellsWhere(beta_, isMixed), 2, nThreads)
+          gradients_(alpha.size()), nThreads_(nThreads)
     {
     }
 
@@ -94,7 +95,7 @@ public:
         std::vector<char> failed(result_.fits.size(), 0);
 #pragma omp parallel num_threads(nThreads_)
         {
-            CellStencil stencil(neighbours_);
+            CellStencil stencil(complex_);
             std::vector<Sample> samples;
 #pragma omp for schedule(dynamic, 64)
             for (label i = 0; i < result_.fits.size(); ++i)
@@ -109,11 +110,11 @@ public:
 private:
     void findAnchors()
     {
-        CellStencil stencil(neighbours_);
+        CellStencil stencil(complex_);
         for (const label celli : cellsWhere(beta_, isMixed))
         {
             const scalar beta = beta_[celli];
-            const std::vector<label>& around = stencil.rings(celli, 1);
+            const UList<label>& around = stencil.rings(celli, 1);
             constexpr scalar wellMixed = 0.1;
             const bool carries = std::min(beta, 1 - beta) > wellMixed
                                  || std::any_of(
@@ -136,13 +137,18 @@ private:
     // Of beta, in all cells that a fit may look at.
     void findGradients()
     {
-        const std::vector<label>& cells = neighbours_.cells();
+        const std::vector<label> cells(
+            withRings(complex_, cellsWhere(beta_, isMixed), 2)
+        );
 #pragma omp parallel for schedule(static) num_threads(nThreads_)
         for (std::size_t i = 0; i < cells.size(); ++i)
         {
             const scalar size = complex_.cellSizes()[cells[i]];
             gradients_[cells[i]] =
-                size * gradientOver(complex_, neighbours_.of(cells[i]), beta_, size);
+                size
+                * gradientOver(
+                    complex_, complex_.pointNeighbours(cells[i]), beta_, size
+                );
         }
     }
 
@@ -169,7 +175,7 @@ private:
         const point centre = complex_.cellCentres()[own.cell] - toSurface * normal;
         own.setPlane(centre, normal);
 
-        const std::vector<label>& cells = stencil.rings(own.cell, 2);
+        const UList<label>& cells = stencil.rings(own.cell, 2);
         scalar steepness = slope * own.size;
         if (!fitLogits(cells, true, own, steepness)
             || !fitLogits(cells, false, own, steepness))
@@ -199,8 +205,7 @@ private:
     // The logit as a quadratic function; re-aims the frame, or takes its zero as the
     // surface. `steepness` is the slope of the logit, per size.
     bool fitLogits(
-        const std::vector<label>& cells, bool reaim, InterfaceFit& own,
-        scalar& steepness
+        const UList<label>& cells, bool reaim, InterfaceFit& own, scalar& steepness
     ) const
     {
         constexpr scalar across = 2.5, negligible = 1e-9;
@@ -264,15 +269,25 @@ private:
                || (equations.solve<4>(3, plane, plane, b) && b[3] > trace);
     }
 
+    // Without those that point elsewhere.
     void takeSamples(
-        const std::vector<label>& cells, const InterfaceFit& own,
-        std::vector<Sample>& samples
+        const UList<label>& cells, const InterfaceFit& own, std::vector<Sample>& samples
     ) const
     {
+        constexpr scalar clear = 0.02;
         samples.clear();
         for (const label celli : cells)
         {
-            samples.push_back({own.local(complex_.cellCentres()[celli]), celli});
+            const bool saturated = isSaturated(celli);
+            if (saturated || isAligned(celli, own.normal, clear))
+            {
+                const vector x = own.local(complex_.cellCentres()[celli]);
+                const scalar u = x.x(), v = x.y();
+                samples.push_back(
+                    {x, beta_[celli], std::exp(-(u * u + v * v) / sqr(sigma)),
+                     saturated}
+                );
+            }
         }
     }
 
@@ -319,25 +334,18 @@ private:
         NormalEquations<6>& equations
     ) const
     {
-        constexpr scalar farthest = 3, clear = 0.02, least = 1e-12;
-        const scalar u = s.x.x(), v = s.x.y(), beta = beta_[s.cell];
+        constexpr scalar farthest = 3, least = 1e-12;
+        const scalar u = s.x.x(), v = s.x.y(), beta = s.beta;
         const scalar z = s.x.z() - fit.height(u, v);
-        if (std::abs(z) > farthest)
-        {
-            return;
-        }
-        const bool wrong = isSaturated(s.cell) ? (beta > 0.5) != (z > 0)
-                                               : !isAligned(s.cell, fit.normal, clear);
-        if (wrong)
+        if (std::abs(z) > farthest || (s.saturated && (beta > 0.5) != (z > 0)))
         {
             return;
         }
         const scalar profile = 1 / (1 + std::exp(-steepness * z));
         const scalar slope = std::max(steepness * profile * (1 - profile), least);
-        const scalar weight = std::exp(-(u * u + v * v) / sqr(sigma));
         NormalEquations<6>::Vector row;
         row << 1, u, v, u * u, u * v, v * v;
-        equations.add(row, (profile - beta) / slope, weight * slope);
+        equations.add(row, (profile - beta) / slope, s.weight * slope);
     }
 
     const CellComplex& complex_;
@@ -345,7 +353,6 @@ private:
     scalarField logits_;
     vectorField gradients_; // of beta, per size of the cell
     label nThreads_;
-    PointNeighbours neighbours_;
     ProfileFits result_;
 };
 
