@@ -33,15 +33,14 @@ VoxelMask::Voxel VoxelMask::voxelAt(const point& x) const
     return voxel;
 }
 
-// Calls `visit` for the voxels that the box meets, until it returns true.
 template<class Visit>
-void VoxelMask::visit(const boundBox& box, const Visit& visit) const
+void VoxelMask::visit(const boundBox& box, scalar size, const Visit& visit)
 {
     std::int64_t low[3], high[3];
     for (direction d = 0; d < 3; ++d)
     {
-        low[d] = placeOf(box.min()[d], size_);
-        high[d] = placeOf(box.max()[d], size_);
+        low[d] = placeOf(box.min()[d], size);
+        high[d] = placeOf(box.max()[d], size);
     }
     for (std::int64_t i = low[0]; i <= high[0]; ++i)
     {
@@ -49,10 +48,7 @@ void VoxelMask::visit(const boundBox& box, const Visit& visit) const
         {
             for (std::int64_t k = low[2]; k <= high[2]; ++k)
             {
-                if (visit((Voxel(i) << (2 * bits)) | (Voxel(j) << bits) | Voxel(k)))
-                {
-                    return;
-                }
+                visit((Voxel(i) << (2 * bits)) | (Voxel(j) << bits) | Voxel(k));
             }
         }
     }
@@ -70,14 +66,7 @@ void VoxelMask::add(const point& x, scalar reach)
 
 void VoxelMask::add(const boundBox& box)
 {
-    visit(
-        box,
-        [&](Voxel voxel)
-        {
-            voxels_.insert(voxel);
-            return false;
-        }
-    );
+    visit(box, size_, [&](Voxel voxel) { voxels_.insert(voxel); });
 }
 
 void VoxelMask::add(
@@ -111,13 +100,6 @@ void VoxelMask::add(
     }
 }
 
-bool VoxelMask::meets(const boundBox& box) const
-{
-    bool found = false;
-    visit(box, [&](Voxel voxel) { return found = voxels_.count(voxel) > 0; });
-    return found;
-}
-
 DynamicList<VoxelMask::Voxel> VoxelMask::within(const boundBox& box) const
 {
     std::int64_t low[3], high[3];
@@ -145,9 +127,31 @@ DynamicList<VoxelMask::Voxel> VoxelMask::within(const boundBox& box) const
     return result;
 }
 
-void VoxelMask::add(const UList<Voxel>& voxels)
+void VoxelIndex::add(const boundBox& box)
 {
-    voxels_.insert(voxels.begin(), voxels.end());
+    VoxelMask::visit(
+        box, size_, [&](VoxelMask::Voxel voxel) { boxes_[voxel].push_back(nBoxes_); }
+    );
+    ++nBoxes_;
+}
+
+DynamicList<label> VoxelIndex::meeting(const UList<VoxelMask::Voxel>& voxels) const
+{
+    DynamicList<label> found;
+    for (const VoxelMask::Voxel voxel : voxels)
+    {
+        const auto here = boxes_.find(voxel);
+        if (here != boxes_.end())
+        {
+            for (const label boxi : here->second)
+            {
+                found.append(boxi);
+            }
+        }
+    }
+    std::sort(found.begin(), found.end());
+    found.setSize(label(std::unique(found.begin(), found.end()) - found.begin()));
+    return found;
 }
 
 } // namespace Foam::stability

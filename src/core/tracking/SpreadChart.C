@@ -11,10 +11,71 @@
 namespace Foam::stability
 {
 
-SpreadChart::SpreadChart(const SurfacePiece& held, const Exchange& exchange)
-    : held_(held), empty_(false)
+namespace
 {
-    const InterfaceMesh& mesh = held.mesh;
+
+// Each triangle to the rank of the cell that its first point lies in.
+SurfacePiece
+dealtOut(SurfacePiece piece, const WholeMesh& whole, const Exchange& exchange)
+{
+    std::vector<Packet> packets(exchange.nRanks());
+    together(
+        exchange,
+        [&]
+        {
+            // Until now every point is on one rank; seams have one on each side.
+            piece.joined = true;
+            forAll(piece.seeds, pointi)
+            {
+                piece.seeds[pointi] = point(exchange.rank(), pointi, 0);
+            }
+            std::vector<DynamicList<label>> triangles(packets.size());
+            forAll(piece.mesh.triangles, trianglei)
+            {
+                const label celli =
+                    piece.mesh.cells[piece.mesh.triangles[trianglei][0]];
+                triangles[celli < 0 ? exchange.rank() : whole.rankOf(celli)].append(
+                    trianglei
+                );
+            }
+            for (std::size_t ranki = 0; ranki < packets.size(); ++ranki)
+            {
+                if (!triangles[ranki].empty())
+                {
+                    pack(partOf(piece, triangles[ranki]), packets[ranki]);
+                }
+            }
+        }
+    );
+    packets = exchange.exchange(std::move(packets));
+    SurfacePiece kept;
+    together(
+        exchange,
+        [&]
+        {
+            std::vector<SurfacePiece> parts(1);
+            parts[0].joined = true;
+            for (Packet& packet : packets)
+            {
+                if (!packet.empty())
+                {
+                    parts.push_back(unpackedSurface(packet));
+                }
+            }
+            kept = join(parts).piece;
+        }
+    );
+    return kept;
+}
+
+} // namespace
+
+SpreadChart::SpreadChart(
+    const SurfacePiece& flattened, const WholeMesh& whole, const Exchange& exchange
+)
+    : empty_(false)
+{
+    const InterfaceMesh& mesh = flattened.mesh;
     List<ExactSum> sums(2);
     for (const scalar h : mesh.cellSizes)
     {
@@ -33,7 +94,7 @@ SpreadChart::SpreadChart(const SurfacePiece& held, const Exchange& exchange)
     const SurfaceTopology topology(mesh.points.size(), mesh.triangles);
     const List<bool> own(mesh.triangles.size(), true);
     DynamicList<SeamNode> ends;
-    for (const SeamNode& node : allSeamNodes(held, topology, own, exchange))
+    for (const SeamNode& node : allSeamNodes(flattened, topology, own, exchange))
     {
         if (node.isEnd)
         {
@@ -46,6 +107,10 @@ SpreadChart::SpreadChart(const SurfacePiece& held, const Exchange& exchange)
     if (exchange.nRanks() == 1)
     {
         alone_ = StartChart(mesh, meanCellSize_, ends_);
+    }
+    else
+    {
+        held_ = dealtOut(flattened, whole, exchange);
     }
 }
 

@@ -230,7 +230,7 @@ void StabilityTracker::startSurface(const SurfacePiece& interface)
     marks.counted = List<bool>(surface.mesh.points.size(), true);
     timeSurface_.seedRemeshed(surface, marks, latest_->time, complex(), exchange_);
     surface = timeSurface_.piece();
-    chart_ = SpreadChart(surface, exchange_);
+    chart_ = SpreadChart(surface, complex().whole(), exchange_);
 
     const SurfaceHalo halo(surface, around(surface, reach), exchange_, images());
     const SmallScales scales(smallScales(

@@ -5,16 +5,17 @@
 
 #include "core/tracking/SurfaceImages.H"
 
+#include <map>
+
 namespace Foam::stability
 {
 
 namespace
 {
 
-// The triangles of which the image may be in the region.
-DynamicList<label> trianglesIn(
-    const VoxelMask& region, const InterfaceMesh& mesh, const RigidMotion* motion
-)
+// The triangles of a mesh, or of its image, by the voxels that they may be in.
+VoxelIndex
+indexOf(const InterfaceMesh& mesh, scalar voxelSize, const RigidMotion* motion)
 {
     pointField points(mesh.points);
     if (motion)
@@ -24,19 +25,15 @@ DynamicList<label> trianglesIn(
             x = (*motion)(x);
         }
     }
-    DynamicList<label> found;
-    forAll(mesh.triangles, trianglei)
+    VoxelIndex index(voxelSize);
+    for (const triFace& t : mesh.triangles)
     {
-        const triFace& t = mesh.triangles[trianglei];
         boundBox box(points[t[0]], points[t[0]]);
         box.add(points[t[1]]);
         box.add(points[t[2]]);
-        if (region.meets(box))
-        {
-            found.append(trianglei);
-        }
+        index.add(box);
     }
-    return found;
+    return index;
 }
 
 boundBox moved(const boundBox& box, const RigidMotion& motion)
@@ -101,16 +98,21 @@ std::vector<Packet> SurfaceHalo::answer(
 )
 {
     std::vector<Packet> answers(asked.size());
+    std::map<label, VoxelIndex> indices; // by image
     for (std::size_t ranki = 0; ranki < asked.size(); ++ranki)
     {
         DynamicList<label> sent;
         for (const Question& question : asked[ranki])
         {
-            VoxelMask region(voxelSize);
-            region.add(question.voxels);
             const RigidMotion* motion =
                 question.image ? &images->motion(question.image) : nullptr;
-            const DynamicList<label> found(trianglesIn(region, held.mesh, motion));
+            if (!indices.count(question.image))
+            {
+                indices.emplace(question.image, indexOf(held.mesh, voxelSize, motion));
+            }
+            const DynamicList<label> found(
+                indices.at(question.image).meeting(question.voxels)
+            );
             sent.append(found);
             if (!found.empty())
             {

@@ -6,6 +6,7 @@
 #include "core/tracking/Components.H"
 #include "core/tracking/PointNumbers.H"
 #include "core/tracking/SeamShape.H"
+#include "core/tracking/SpreadChart.H"
 #include "shapes/Surfaces.H"
 #include "shapes/ThreadRanks.H"
 
@@ -102,6 +103,25 @@ VoxelMask around(const SurfacePiece& piece, scalar reach)
         mask.add(x, reach);
     }
     return mask;
+}
+
+List<bool> whichMeet(const VoxelMask& region, const InterfaceMesh& mesh)
+{
+    VoxelIndex index(region.size());
+    for (const triFace& t : mesh.triangles)
+    {
+        boundBox box(mesh.points[t[0]], mesh.points[t[0]]);
+        box.add(mesh.points[t[1]]);
+        box.add(mesh.points[t[2]]);
+        index.add(box);
+    }
+    const boundBox everywhere(point(-9, -9, -9), point(9, 9, 9));
+    List<bool> result(mesh.triangles.size(), false);
+    for (const label trianglei : index.meeting(region.within(everywhere)))
+    {
+        result[trianglei] = true;
+    }
+    return result;
 }
 
 // Assertions of threads one after the other.
@@ -264,16 +284,13 @@ TEST(SurfaceHalo, hasAllThatMeetsTheVoxelsAndKnowsWhatIsOwn)
                 const labelList values(halo.triangleValues(numbers));
 
                 const std::lock_guard<std::mutex> lock(turn);
+                const List<bool> near(whichMeet(wanted, whole.mesh));
                 std::size_t next = 0;
                 forAll(whole.mesh.triangles, i)
                 {
-                    const triFace& t = whole.mesh.triangles[i];
-                    boundBox box(whole.mesh.points[t[0]], whole.mesh.points[t[0]]);
-                    box.add(whole.mesh.points[t[1]]);
-                    box.add(whole.mesh.points[t[2]]);
                     const bool own =
                         rankOf(whole.mesh.centre(i), nRanks) == exchange.rank();
-                    if (own || wanted.meets(box))
+                    if (own || near[i])
                     {
                         ASSERT_LT(label(next), halo.piece().keys.size());
                         EXPECT_TRUE(halo.piece().keys[next] == whole.keys[i]);
@@ -399,30 +416,60 @@ TEST(SeamShape, isThatOfTheWholeOnAnyNumberOfRanks)
     }
 }
 
-TEST(VoxelMask, meetsWhatIsNearAndNothingElse)
+// The chart of one rank is dealt out, and says the same to all.
+TEST(SpreadChart, readsTheSameOnAnyNumberOfRanks)
 {
-    VoxelMask mask(0.5);
-    mask.add(point(0.25, 0.25, 0.25), 0.1);
-    EXPECT_TRUE(mask.meets(boundBox(point(0.4, 0.4, 0.4), point(3, 3, 3))));
-    EXPECT_FALSE(mask.meets(boundBox(point(0.51, 0, 0), point(3, 3, 3))));
-    EXPECT_TRUE(mask.meets(boundBox(point(-9, 0.1, 0.1), point(9, 0.2, 0.2))));
-    EXPECT_FALSE(mask.meets(boundBox(point(-9, -0.2, 0.1), point(9, -0.1, 0.2))));
-
-    // A large triangle is followed along its surface, not by its box.
-    VoxelMask triangle(0.1);
-    const boundBox all(point(-9, -9, -9), point(9, 9, 9));
-    triangle.add(point(0, 0, 0), point(4, 0, 4), point(0, 3, 0), 0.01, all);
-    EXPECT_TRUE(triangle.meets(boundBox(point(2, 0.5, 2), point(2.01, 0.51, 2.01))));
-    EXPECT_FALSE(triangle.meets(boundBox(point(3, 0.5, 1), point(3.2, 0.7, 1.2))));
-
-    // Of one that would never end what is in the box.
-    VoxelMask far(0.1);
-    far.add(point(-1, 0, 0), point(1e9, 0, 0), point(-1, 1e9, 0), 0.1, all);
-    EXPECT_TRUE(far.meets(boundBox(point(4, 4, 0.01), point(4.01, 4.01, 0.02))));
-    EXPECT_FALSE(far.meets(boundBox(point(20, 20, 0), point(21, 21, 0.1))));
-
-    VoxelMask copy(0.1);
-    copy.add(triangle.within(boundBox(point(1, 0, 0), point(2, 3, 4))));
-    EXPECT_TRUE(copy.meets(boundBox(point(1.5, 0.5, 1.5), point(1.51, 0.51, 1.51))));
-    EXPECT_FALSE(copy.meets(boundBox(point(3, 0.2, 3), point(3.01, 0.21, 3.01))));
+    SurfacePiece whole(wholeScene());
+    whole.joined = false;
+    const label n = whole.mesh.points.size();
+    // What asks: a copy a little aside, p rough.
+    InterfaceMesh asking(whole.mesh);
+    for (point& x : asking.origins)
+    {
+        x += 0.01 * h * vector(1, 2, -1);
+    }
+    for (vector2D& p : asking.parameters)
+    {
+        p += vector2D(0.1 * h, -0.1 * h);
+    }
+    List<InterfaceMesh> read;
+    for (const label nRanks : rankCounts)
+    {
+        WholeMesh mesh;
+        for (label ranki = 0; ranki <= nRanks; ++ranki)
+        {
+            mesh.firstCells.append(ranki * n / nRanks);
+        }
+        onAll(
+            nRanks,
+            [&](const Exchange& exchange, std::mutex& turn)
+            {
+                const labelList none;
+                const SpreadChart chart(
+                    exchange.rank() == nRanks - 1 ? whole : partOf(whole, none), mesh,
+                    exchange
+                );
+                InterfaceMesh mine(asking);
+                chart.around(asking, pointField(), exchange).readOff(mine);
+                const std::lock_guard<std::mutex> lock(turn);
+                read.append(mine);
+                if (nRanks > 1)
+                {
+                    EXPECT_GT(chart.nTriangles(), 0.5 * n / nRanks);
+                    EXPECT_LT(chart.nTriangles(), 4 * n / nRanks);
+                }
+            }
+        );
+    }
+    label nRead = 0;
+    forAll(asking.origins, i)
+    {
+        nRead += read[0].origins[i] != asking.origins[i];
+    }
+    EXPECT_GT(nRead, n / 10); // p beyond the unit square is left alone
+    for (const InterfaceMesh& other : read)
+    {
+        EXPECT_TRUE(other.parameters == read[0].parameters);
+        EXPECT_TRUE(other.origins == read[0].origins);
+    }
 }
