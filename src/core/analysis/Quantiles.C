@@ -4,8 +4,10 @@
 #include "core/analysis/Quantiles.H"
 
 #include "core/ranks/ExactSum.H"
+#include "SubList.H"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 namespace Foam::stability
@@ -38,8 +40,6 @@ struct Entry
     scalar weight;
 };
 
-constexpr Bits largestBits = 0x7fefffffffffffff; // of the largest finite value
-
 ExactSum
 weightOf(const std::vector<Entry>& entries, std::size_t first, std::size_t last)
 {
@@ -51,70 +51,79 @@ weightOf(const std::vector<Entry>& entries, std::size_t first, std::size_t last)
     return weight;
 }
 
-// The search for one quantile: it lies in [low, high].
+constexpr int allBits = 63; // of a value
+constexpr int mostBits = 4; // found in one round
+
+// The search for one quantile: it lies in [low, low + 2^nBits).
 class Search
 {
 public:
-    Search(const std::vector<Entry>& entries, scalar wanted, const ExactSum& weight)
-        : entries_(entries), wanted_(wanted), last_(entries.size()), inside_(weight)
+    Search(const std::vector<Entry>& entries, scalar wanted)
+        : entries_(entries), wanted_(wanted), last_(entries.size())
     {
     }
 
-    // The weight here of what does not exceed the middle of the interval.
-    ExactSum weightUpToMiddle()
+    // The weights here of what does not exceed the ends of the parts of the interval,
+    // the last part left out.
+    void weigh(UList<ExactSum>& weights)
     {
-        end_ = std::upper_bound(
-                   entries_.begin() + first_, entries_.begin() + last_, middle(),
-                   [](Bits value, const Entry& entry) { return value < entry.value; }
-               )
-               - entries_.begin();
-        // Of both parts the shorter one is summed: in all every entry about once.
-        if (end_ - first_ < last_ - end_)
+        ExactSum sum(before_);
+        std::size_t from = first_;
+        forAll(weights, i)
         {
-            lower_ = weightOf(entries_, first_, end_);
+            ends_[i] =
+                std::upper_bound(
+                    entries_.begin() + from, entries_.begin() + last_, endOf(i),
+                    [](Bits value, const Entry& entry) { return value < entry.value; }
+                )
+                - entries_.begin();
+            sum.add(weightOf(entries_, from, ends_[i]));
+            from = ends_[i];
+            weights[i] = weights_[i] = sum;
         }
-        else
-        {
-            lower_ = inside_;
-            lower_.subtract(weightOf(entries_, end_, last_));
-        }
-        ExactSum weight(before_);
-        weight.add(lower_);
-        return weight;
     }
 
-    // Halves the interval by that weight of all ranks: down to 0 if there is none.
-    void halve(scalar weight)
+    // Goes on in one of the parts, by those weights of all ranks: in the first if there
+    // is none.
+    void choose(const UList<ExactSum>& weights)
     {
-        if (low_ == high_)
+        label part = 0;
+        while (part < weights.size() && weights[part].value() < wanted_)
         {
-            return;
+            ++part;
         }
-        if (weight >= wanted_)
+        if (part < weights.size())
         {
-            high_ = middle();
-            last_ = end_;
-            inside_ = lower_;
+            last_ = ends_[part];
         }
-        else
+        if (part > 0)
         {
-            low_ = middle() + 1;
-            first_ = end_;
-            before_.add(lower_);
-            inside_.subtract(lower_);
+            first_ = ends_[part - 1];
+            before_ = weights_[part - 1];
+            low_ = endOf(part - 1) + 1;
         }
+        nBits_ -= step();
     }
+
+    // Bits that the next round finds.
+    int step() const { return std::min(nBits_, mostBits); }
 
     scalar found() const { return valueOf(low_); }
 
 private:
-    Bits middle() const { return low_ + (high_ - low_) / 2; }
+    Bits endOf(label part) const
+    {
+        return low_ + (Bits(part + 1) << (nBits_ - step())) - 1;
+    }
 
     const std::vector<Entry>& entries_;
     scalar wanted_; // weight of all ranks up to the quantile
-    Bits low_ = 0, high_ = largestBits;
-    std::size_t first_ = 0, last_, end_ = 0; // of entries in the interval; of its half
-    ExactSum before_, inside_, lower_;       // weights of those
+    Bits low_ = 0;
+    int nBits_ = allBits;
+    std::size_t first_ = 0, last_; // of the entries in the interval
+    ExactSum before_;              // weight of those before
+    std::array<std::size_t, (1 << mostBits) - 1> ends_; // of the parts
+    std::array<ExactSum, (1 << mostBits) - 1> weights_; // here
 };
 
 std::vector<Entry> sorted(const scalarField& values, const scalarField& weights)
@@ -142,27 +151,30 @@ std::vector<scalar> weightedQuantiles(
 )
 {
     const std::vector<Entry> entries(sorted(values, weights));
-    const ExactSum here(weightOf(entries, 0, entries.size()));
-    List<ExactSum> sums(1, here);
+    List<ExactSum> sums(1, weightOf(entries, 0, entries.size()));
     sum(sums, exchange);
     const scalar total = sums[0].value();
     std::vector<Search> searches;
     for (const scalar fraction : fractions)
     {
-        searches.emplace_back(entries, fraction * total, here);
+        searches.emplace_back(entries, fraction * total);
     }
-    sums.setSize(label(searches.size()));
-    // All ranks halve the same intervals, so that all end together.
-    for (Bits width = largestBits; width > 0; width /= 2)
+    // All ranks divide the same intervals, so that all end together.
+    while (!searches.empty() && searches[0].step() > 0)
     {
-        std::transform(
-            searches.begin(), searches.end(), sums.begin(),
-            [](Search& search) { return search.weightUpToMiddle(); }
-        );
+        const label nParts = (1 << searches[0].step()) - 1;
+        sums.setSize(label(searches.size()) * nParts);
+        const auto weightsOf = [&](std::size_t i)
+        { return SubList<ExactSum>(sums, nParts, label(i) * nParts); };
+        for (std::size_t i = 0; i < searches.size(); ++i)
+        {
+            auto weights = weightsOf(i);
+            searches[i].weigh(weights);
+        }
         sum(sums, exchange);
         for (std::size_t i = 0; i < searches.size(); ++i)
         {
-            searches[i].halve(sums[label(i)].value());
+            searches[i].choose(weightsOf(i));
         }
     }
     std::vector<scalar> result;
