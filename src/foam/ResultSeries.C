@@ -129,7 +129,9 @@ void ResultSeries::writePieces(Family& family, label index, const SurfaceMaker& 
         {
             if (master && !mkDir(folder_ / name))
             {
-                throw std::runtime_error("Cannot make the folder " + folder_ + name);
+                throw std::runtime_error(
+                    "Cannot make the folder " + folder_ / name + "."
+                );
             }
         }
     );

@@ -132,6 +132,7 @@ CellComplex::CellComplex(CellComplexInput input) : input_(std::move(input))
     computeCells();
     chooseTetBases();
     binCells();
+    countRings();
     forAll(input_.globalCells, celli)
     {
         localCells_.insert(input_.globalCells[celli], celli);
@@ -141,6 +142,52 @@ CellComplex::CellComplex(CellComplexInput input) : input_(std::move(input))
         input_.whole.emplace();
         input_.whole->bounds = bounds_;
         input_.whole->tetrahedra = shareOfTetrahedra(cellFaces_);
+    }
+}
+
+void CellComplex::countRings()
+{
+    if (input_.own.empty())
+    {
+        return;
+    }
+    rings_ = labelList(nCells(), labelMax);
+    DynamicList<label> front, next;
+    forAll(rings_, celli)
+    {
+        if (input_.own[celli])
+        {
+            rings_[celli] = 0;
+            front.append(celli);
+        }
+    }
+    List<bool> met(nPoints(), false);
+    for (label ring = 1; !front.empty(); ++ring)
+    {
+        next.clear();
+        for (const label celli : front)
+        {
+            for (const label facei : cellFaces_[celli])
+            {
+                for (const label pointi : input_.faces[facei])
+                {
+                    if (met[pointi])
+                    {
+                        continue;
+                    }
+                    met[pointi] = true;
+                    for (const label other : pointCells_[pointi])
+                    {
+                        if (rings_[other] == labelMax)
+                        {
+                            rings_[other] = ring;
+                            next.append(other);
+                        }
+                    }
+                }
+            }
+        }
+        front = next;
     }
 }
 

@@ -19,8 +19,11 @@ using Vertex = MarchingTets::Vertex;
 class IsoAlphaExtraction
 {
 public:
-    IsoAlphaExtraction(const CellComplex& complex, const VolumeFractions& fractions)
-        : complex_(complex), fractions_(fractions),
+    // In this rank's cells and so many rings around them.
+    IsoAlphaExtraction(
+        const CellComplex& complex, const VolumeFractions& fractions, label nRings
+    )
+        : complex_(complex), fractions_(fractions), nRings_(nRings),
           pointValues_(complex.nPoints(), unknown), active_(complex.nPoints(), false)
     {
     }
@@ -33,7 +36,7 @@ public:
         const List<bool> near = cellsAtActivePoints();
         for (label facei = 0; facei < complex_.nFaces(); ++facei)
         {
-            if (near[complex_.owner()[facei]] && isKnown(facei) && isActive(facei))
+            if (near[complex_.owner()[facei]] && isWanted(facei) && isActive(facei))
             {
                 cutFace(facei, tets);
             }
@@ -41,7 +44,7 @@ public:
         for (label facei = complex_.nInternalFaces(); facei < complex_.nFaces();
              ++facei)
         {
-            if (isKnown(facei))
+            if (isWanted(facei))
             {
                 closeFace(facei, tets);
             }
@@ -51,12 +54,14 @@ public:
 private:
     static constexpr scalar unknown = -1;
 
-    // Are there all cells that say what alpha is at its points?
-    bool isKnown(label facei) const
+    // Is it near, and are there all cells that say what alpha is at its points?
+    bool isWanted(label facei) const
     {
-        return complex_.complete(complex_.owner()[facei])
-               && (facei >= complex_.nInternalFaces()
-                   || complex_.complete(complex_.neighbour()[facei]));
+        const label owner = complex_.owner()[facei];
+        const label neighbour =
+            facei < complex_.nInternalFaces() ? complex_.neighbour()[facei] : owner;
+        return std::min(complex_.ring(owner), complex_.ring(neighbour)) <= nRings_
+               && complex_.complete(owner) && complex_.complete(neighbour);
     }
 
     bool inside(label celli) const
@@ -251,6 +256,7 @@ private:
 
     const CellComplex& complex_;
     const VolumeFractions& fractions_;
+    label nRings_;
     scalarField pointValues_;
     List<bool> active_;
 };
@@ -267,6 +273,15 @@ scalar marginOf(const CellComplex& complex, const ReconstructionOptions& options
     return complex.whole().tetrahedra > fewTetrahedra ? narrow : wide;
 }
 
+// What is around the own triangles moves them: by smoothing, two rings each, and where
+// sharpening holds triangles that would flip. Components are fitted as they are known.
+label ringsOf(const ReconstructionOptions& options)
+{
+    constexpr label untangling = 4;
+    return options.volumeFit != VolumeFit::none ? labelMax
+                                                : untangling + 2 * options.smooth;
+}
+
 } // namespace
 
 ReconstructionResult IsoAlpha::extract(const FlowSnapshot& snapshot) const
@@ -274,7 +289,7 @@ ReconstructionResult IsoAlpha::extract(const FlowSnapshot& snapshot) const
     const VolumeFractions fractions(snapshot);
     const CellComplex& complex = *snapshot.complex;
     MarchingTets tets(complex, marginOf(complex, options_));
-    IsoAlphaExtraction(complex, fractions).cutInto(tets);
+    IsoAlphaExtraction(complex, fractions, ringsOf(options_)).cutInto(tets);
     ReconstructionResult result(finish(tets, complex, fractions.volume, options_));
     if (options_.sharpening != Sharpening::none)
     {

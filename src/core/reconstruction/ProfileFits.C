@@ -81,9 +81,12 @@ struct Sample
 class Fitter
 {
 public:
-    Fitter(const CellComplex& complex, const scalarField& alpha, label nThreads)
+    Fitter(
+        const CellComplex& complex, const scalarField& alpha, label nThreads,
+        label nRings
+    )
         : complex_(complex), beta_(smoothed(complex, alpha)), logits_(alpha.size()),
-          gradients_(alpha.size()), nThreads_(nThreads)
+          gradients_(alpha.size()), nThreads_(nThreads), nRings_(nRings)
     {
     }
 
@@ -124,7 +127,7 @@ private:
                                                 != VolumeFractions::inside(beta);
                                      }
                                  );
-            if (carries)
+            if (carries && complex_.ring(celli) <= nRings_)
             {
                 InterfaceFit fit;
                 fit.cell = celli;
@@ -353,16 +356,18 @@ private:
     scalarField logits_;
     vectorField gradients_; // of beta, per size of the cell
     label nThreads_;
+    label nRings_;
     ProfileFits result_;
 };
 
 } // namespace
 
 ProfileFits fitProfiles(
-    const CellComplex& complex, const VolumeFractions& fractions, label nThreads
+    const CellComplex& complex, const VolumeFractions& fractions, label nThreads,
+    label nRings
 )
 {
-    return Fitter(complex, fractions.cells, nThreads).run();
+    return Fitter(complex, fractions.cells, nThreads, nRings).run();
 }
 
 } // namespace Foam::stability

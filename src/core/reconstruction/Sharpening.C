@@ -138,7 +138,7 @@ private:
         }
         if (kind_ != Sharpening::plic && nDoubtful > 0)
         {
-            profile_ = fitProfiles(complex_, fractions_, nThreads_);
+            profile_ = fitProfiles(complex_, fractions_, nThreads_, ringsOfFits());
             profileBlend_.emplace(profile_.fits, reachInHexahedra);
         }
         result_.nFits = plic_.fits.size() + profile_.fits.size();
@@ -154,6 +154,19 @@ private:
                 moves_[pointi] = move.nSteps > 0 ? move : moves_[pointi];
             }
         }
+    }
+
+    // Fits have a say up to five or six cells from their own: there are all for the
+    // points of this rank's triangles and those around, but not for the outermost.
+    label ringsOfFits() const
+    {
+        constexpr label reach = 3;
+        label farthest = 0;
+        for (const label celli : mesh_.triangleCells)
+        {
+            farthest = std::max(farthest, complex_.ring(celli));
+        }
+        return farthest + reach;
     }
 
     PointSharpener sharpener() const

@@ -170,4 +170,24 @@ TEST(RingFetch, thePatchIsNoBoundaryOnEitherSide)
     EXPECT_EQ(nThrough, 2 * 5 * 4);
 }
 
+// Behind both ends of a box, the n-th layer of cells is the n-th ring.
+TEST(RingFetch, tellsTheRingOfACell)
+{
+    shapes::BoxOptions options;
+    options.n = Vector<label>(6, 3, 2);
+    const auto piece = shapes::periodicPiece(
+        shapes::boxInput(options), {shapes::periodicInX(options)}
+    );
+    const auto complex = shapes::withRings(piece, 4);
+    label nFar = 0;
+    for (label celli = 0; celli < complex->nCells(); ++celli)
+    {
+        const scalar x = complex->cellCentres()[celli].x();
+        const scalar layers = 6 * std::max(-x, x - 1);
+        EXPECT_EQ(complex->ring(celli), std::max(0, int(std::ceil(layers)))) << x;
+        nFar += complex->ring(celli) == 4;
+    }
+    EXPECT_EQ(nFar, 2 * 3 * 2);
+}
+
 } // namespace Foam::stability
