@@ -41,6 +41,7 @@ InterfaceMesh scene()
             h
         )};
     InterfaceMesh mesh;
+    DynamicList<triFace> triangles;
     for (const InterfaceMesh& part : parts)
     {
         const label first = mesh.points.size();
@@ -48,30 +49,34 @@ InterfaceMesh scene()
         mesh.cellSizes.append(part.cellSizes);
         for (const triFace& t : part.triangles)
         {
-            mesh.triangles.append(triFace(t[0] + first, t[1] + first, t[2] + first));
+            triangles.append(triFace(t[0] + first, t[1] + first, t[2] + first));
         }
     }
+    mesh.triangles.transfer(triangles);
     mesh.cells = identity(mesh.points.size());
     mesh.boundaryFaces.setSize(mesh.points.size(), -1);
     mesh.clearParametrization();
     mesh.origins = mesh.points;
+    DynamicList<vector2D> parameters;
     forAll(mesh.triangles, trianglei)
     {
         const bool right = mesh.centre(trianglei).x() > 0.2;
         for (label k = 0; k < 3; ++k)
         {
             const point& x = mesh.points[mesh.triangles[trianglei][k]];
-            mesh.corners[trianglei][k] = mesh.parameters.size();
-            mesh.parameters.append(vector2D(x.y() + (right ? 9 : 0), x.z()));
+            mesh.corners[trianglei][k] = parameters.size();
+            parameters.append(vector2D(x.y() + (right ? 9 : 0), x.z()));
         }
     }
+    mesh.parameters.transfer(parameters);
     return mesh;
 }
 
 // In the order that all pieces follow, p welded.
-SurfacePiece wholeScene()
+const SurfacePiece& wholeScene()
 {
-    return join({wholeSurface(scene())}).piece;
+    static const SurfacePiece whole(join({wholeSurface(scene())}).piece);
+    return whole;
 }
 
 // In blocks of space, so that ranks touch along lines.
