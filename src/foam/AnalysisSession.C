@@ -82,19 +82,6 @@ void refuseInParallel(const Controls& controls)
     }
 }
 
-// Made by each rank; what one cannot make, all have not.
-template<class Make>
-auto onAll(const RankMessages& messages, const Make& make) -> decltype(make())
-{
-    if (messages.nRanks() == 1)
-    {
-        return make();
-    }
-    std::optional<decltype(make())> made;
-    messages.agree<BadInput>(failureOf([&] { made.emplace(make()); }));
-    return std::move(*made);
-}
-
 } // namespace
 
 AnalysisSession::AnalysisSession(
@@ -102,10 +89,8 @@ AnalysisSession::AnalysisSession(
     FieldSource source
 )
     : mesh_(mesh), controls_(controls), resultFolder_(folder),
-      fields_(onAll(
-          messages_,
-          [&] { return CaseFields(mesh, controls.alpha, controls.U, source); }
-      )),
+      fields_(made([&] { return CaseFields(mesh, controls.alpha, controls.U, source); })
+      ),
       flux_(mesh, controls.phi, controls.velocity, source),
       surfaces_(mesh.time(), controls.files),
       snapshots_(mesh, messages_, nRings(controls)),

@@ -162,10 +162,10 @@ std::vector<scalar> weightedQuantiles(
     // All ranks divide the same intervals, so that all end together.
     while (!searches.empty() && searches[0].step() > 0)
     {
-        const label nParts = (1 << searches[0].step()) - 1;
-        sums.setSize(label(searches.size()) * nParts);
+        const label nEnds = (1 << searches[0].step()) - 1;
+        sums.setSize(label(searches.size()) * nEnds);
         const auto weightsOf = [&](std::size_t i)
-        { return SubList<ExactSum>(sums, nParts, label(i) * nParts); };
+        { return SubList<ExactSum>(sums, nEnds, label(i) * nEnds); };
         for (std::size_t i = 0; i < searches.size(); ++i)
         {
             auto weights = weightsOf(i);

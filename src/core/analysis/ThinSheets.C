@@ -43,11 +43,7 @@ List<bool> thinPoints(const InterfaceMesh& mesh, label nThreads)
         return thin;
     }
     const vectorField normals = mesh.pointNormals();
-    vectorField areas(mesh.triangles.size());
-    forAll(areas, trianglei)
-    {
-        areas[trianglei] = mesh.areaVector(trianglei);
-    }
+    const vectorField areas = mesh.areaVectors();
     const SurfaceLocator locator(mesh.points, mesh.triangles, mesh.meanCellSize());
 #pragma omp parallel for schedule(dynamic, 64) num_threads(nThreads)
     for (label pointi = 0; pointi < mesh.points.size(); ++pointi)

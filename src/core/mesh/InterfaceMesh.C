@@ -6,6 +6,16 @@
 namespace Foam::stability
 {
 
+vectorField InterfaceMesh::areaVectors() const
+{
+    vectorField areas(triangles.size());
+    forAll(areas, trianglei)
+    {
+        areas[trianglei] = areaVector(trianglei);
+    }
+    return areas;
+}
+
 scalarField InterfaceMesh::pointAreas() const
 {
     scalarField areas(points.size(), 0);

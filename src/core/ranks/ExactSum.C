@@ -43,11 +43,6 @@ void ExactSum::add(const ExactSum& other)
     addTimes(1, other);
 }
 
-void ExactSum::subtract(const ExactSum& other)
-{
-    addTimes(-1, other);
-}
-
 void ExactSum::addTimes(int sign, const ExactSum& other)
 {
     ExactSum settled(other);

@@ -12,43 +12,18 @@
 namespace Foam::stability
 {
 
-std::vector<label>
-withRings(const CellComplex& complex, const std::vector<label>& seeds, label nRings)
-{
-    std::vector<label> cells(seeds);
-    std::vector<bool> met(complex.nCells(), false);
-    for (const label celli : cells)
-    {
-        met[celli] = true;
-    }
-    std::size_t begin = 0;
-    for (label ring = 0; ring < nRings; ++ring)
-    {
-        for (const std::size_t end = cells.size(); begin < end; ++begin)
-        {
-            for (const label other : complex.pointNeighbours(cells[begin]))
-            {
-                if (!met[other])
-                {
-                    met[other] = true;
-                    cells.push_back(other);
-                }
-            }
-        }
-    }
-    return cells;
-}
-
-const UList<label>& CellStencil::rings(label celli, label nRings)
+const UList<label>& CellStencil::rings(const UList<label>& seeds, label nRings)
 {
     if (++present_ == 0)
     {
         std::fill(marks_.begin(), marks_.end(), 0);
         present_ = 1;
     }
-    cells_.clear();
-    cells_.append(celli);
-    marks_[celli] = present_;
+    cells_ = seeds;
+    for (const label celli : seeds)
+    {
+        marks_[celli] = present_;
+    }
     label begin = 0;
     for (label ring = 0; ring < nRings; ++ring)
     {

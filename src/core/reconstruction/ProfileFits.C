@@ -140,11 +140,10 @@ private:
     // Of beta, in all cells that a fit may look at.
     void findGradients()
     {
-        const std::vector<label> cells(
-            withRings(complex_, cellsWhere(beta_, isMixed), 2)
-        );
+        CellStencil stencil(complex_);
+        const UList<label>& cells = stencil.rings(cellsWhere(beta_, isMixed), 2);
 #pragma omp parallel for schedule(static) num_threads(nThreads_)
-        for (std::size_t i = 0; i < cells.size(); ++i)
+        for (label i = 0; i < cells.size(); ++i)
         {
             const scalar size = complex_.cellSizes()[cells[i]];
             gradients_[cells[i]] =

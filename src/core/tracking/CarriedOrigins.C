@@ -30,19 +30,16 @@ point CarriedOrigins::onTriangle(label trianglei, const FixedList<scalar, 3>& we
     return interpolation_.at(trianglei, CornerIndices{t[0], t[1], t[2]}, weights);
 }
 
-// Slivers know little of what is around them.
 point CarriedOrigins::extrapolated(label trianglei, const point& x) const
 {
-    constexpr scalar stretch = 4; // at most, as of p
     const triFace& t = timeSurface_.triangles[trianglei];
     const pointField& y = timeSurface_.points;
     const SurfacePoint foot = closestPoint(x, y[t[0]], y[t[1]], y[t[2]]);
     const point known = onTriangle(trianglei, foot.weights);
-    const vector beyond =
-        onTriangle(trianglei, planeWeights(x, y[t[0]], y[t[1]], y[t[2]])) - known;
-    const scalar reach = stretch * foot.distance;
-    const scalar length = mag(beyond);
-    return length > reach ? known + reach / length * beyond : known + beyond;
+    return shortened(
+        onTriangle(trianglei, planeWeights(x, y[t[0]], y[t[1]], y[t[2]])), known,
+        foot.distance, 1
+    );
 }
 
 // Where T has carried this origin: on the triangle near that comes closest to it.

@@ -5,6 +5,7 @@
 
 #include "core/analysis/SubGridDroplets.H"
 #include "core/mesh/SurfaceTopology.H"
+#include "core/tracking/Redistribution.H"
 
 #include <algorithm>
 #include <set>
@@ -293,45 +294,18 @@ WholeComponents wholeComponents(
         }
     }
     const labelList numbers(components.ofHeldTriangles());
-    std::vector<Packet> packets(exchange.nRanks());
-    together(
-        exchange,
-        [&]
+    std::vector<DynamicList<label>> numbersOfRanks(triangles.size());
+    for (std::size_t ranki = 0; ranki < triangles.size(); ++ranki)
+    {
+        for (const label trianglei : triangles[ranki])
         {
-            for (std::size_t ranki = 0; ranki < packets.size(); ++ranki)
-            {
-                if (!triangles[ranki].empty())
-                {
-                    pack(partOf(held, triangles[ranki]), packets[ranki]);
-                    packets[ranki].putList(
-                        labelList(UList<label>(numbers), labelUList(triangles[ranki]))
-                    );
-                }
-            }
+            numbersOfRanks[ranki].append(numbers[trianglei]);
         }
-    );
-    packets = exchange.exchange(std::move(packets));
-    WholeComponents result;
-    together(
-        exchange,
-        [&]
-        {
-            std::vector<SurfacePiece> parts;
-            std::vector<labelList> numbersOfParts;
-            for (Packet& packet : packets)
-            {
-                if (!packet.empty())
-                {
-                    parts.push_back(unpackedSurface(packet));
-                    numbersOfParts.push_back(packet.getList<label>());
-                }
-            }
-            JoinedSurface joined(join(parts));
-            result.piece = std::move(joined.piece);
-            result.components = joinedValues(numbersOfParts, joined.triangleSources);
-        }
-    );
-    return result;
+    }
+    JoinedSurface joined(redistributed(held, triangles, exchange));
+    return {
+        std::move(joined.piece),
+        joinedValues(exchange.exchangeLists(numbersOfRanks), joined.triangleSources)};
 }
 
 } // namespace Foam::stability

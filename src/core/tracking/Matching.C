@@ -9,27 +9,12 @@
 namespace Foam::stability
 {
 
-namespace
-{
-
-vectorField directions(const InterfaceMesh& mesh)
-{
-    vectorField result(mesh.triangles.size());
-    forAll(result, trianglei)
-    {
-        result[trianglei] = mesh.areaVector(trianglei);
-    }
-    return result;
-}
-
-} // namespace
-
 // Boxes of about epsilon (paper 4.5); the locator sees to it that they are not
 // smaller than the triangles.
 MatchTarget::MatchTarget(const InterfaceMesh& mesh, const MatchingOptions& options)
     : mesh_(mesh), options_(options), topology_(mesh.points.size(), mesh.triangles),
       locator_(mesh.points, mesh.triangles, options.epsilon.at(mesh.meanCellSize())),
-      triangleNormals_(directions(mesh))
+      triangleNormals_(mesh.areaVectors())
 {
 }
 
@@ -76,8 +61,7 @@ void MatchTarget::admittedWithin(
     label n = 0;
     for (const label trianglei : result)
     {
-        if (admits(trianglei, normal)
-            && locator_.closestOn(trianglei, x).distance < radius)
+        if (admits(trianglei, normal) && isWithin(trianglei, x, radius))
         {
             result[n++] = trianglei;
         }

@@ -98,10 +98,7 @@ vector2D ParameterSheets::limited(
     const vector2D& p, const vector2D& known, scalar distance
 ) const
 {
-    constexpr scalar stretch = 4;
-    const scalar reach = stretch * shape_.scale * distance;
-    const scalar length = mag(p - known);
-    vector2D result = length > reach ? known + reach / length * (p - known) : p;
+    vector2D result = shortened(p, known, distance, shape_.scale);
     for (direction d = 0; d < 2; ++d)
     {
         if (known[d] >= 0 && known[d] <= 1)

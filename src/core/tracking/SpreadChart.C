@@ -4,6 +4,7 @@
 #include "core/tracking/SpreadChart.H"
 
 #include "core/ranks/ExactSum.H"
+#include "core/tracking/Redistribution.H"
 #include "core/tracking/SurfaceHalo.H"
 
 #include <algorithm>
@@ -18,54 +19,19 @@ namespace
 SurfacePiece
 dealtOut(SurfacePiece piece, const WholeMesh& whole, const Exchange& exchange)
 {
-    std::vector<Packet> packets(exchange.nRanks());
-    together(
-        exchange,
-        [&]
-        {
-            // Until now every point is on one rank; seams have one on each side.
-            piece.joined = true;
-            forAll(piece.seeds, pointi)
-            {
-                piece.seeds[pointi] = point(exchange.rank(), pointi, 0);
-            }
-            std::vector<DynamicList<label>> triangles(packets.size());
-            forAll(piece.mesh.triangles, trianglei)
-            {
-                const label celli =
-                    piece.mesh.cells[piece.mesh.triangles[trianglei][0]];
-                triangles[celli < 0 ? exchange.rank() : whole.rankOf(celli)].append(
-                    trianglei
-                );
-            }
-            for (std::size_t ranki = 0; ranki < packets.size(); ++ranki)
-            {
-                if (!triangles[ranki].empty())
-                {
-                    pack(partOf(piece, triangles[ranki]), packets[ranki]);
-                }
-            }
-        }
-    );
-    packets = exchange.exchange(std::move(packets));
-    SurfacePiece kept;
-    together(
-        exchange,
-        [&]
-        {
-            std::vector<SurfacePiece> parts(1);
-            parts[0].joined = true;
-            for (Packet& packet : packets)
-            {
-                if (!packet.empty())
-                {
-                    parts.push_back(unpackedSurface(packet));
-                }
-            }
-            kept = join(parts).piece;
-        }
-    );
-    return kept;
+    // Until now every point is on one rank; seams have one on each side.
+    piece.joined = true;
+    forAll(piece.seeds, pointi)
+    {
+        piece.seeds[pointi] = point(exchange.rank(), pointi, 0);
+    }
+    std::vector<DynamicList<label>> triangles(exchange.nRanks());
+    forAll(piece.mesh.triangles, trianglei)
+    {
+        const label celli = piece.mesh.cells[piece.mesh.triangles[trianglei][0]];
+        triangles[celli < 0 ? exchange.rank() : whole.rankOf(celli)].append(trianglei);
+    }
+    return redistributed(piece, triangles, exchange).piece;
 }
 
 } // namespace

@@ -75,17 +75,26 @@ scalar StabilityTracker::time() const
     return latest_->time;
 }
 
-void StabilityTracker::start(std::shared_ptr<const FlowSnapshot> snapshot)
+// Of a snapshot that is as it must be.
+std::shared_ptr<const PointVelocity>
+StabilityTracker::velocityOf(const std::shared_ptr<const FlowSnapshot>& snapshot) const
 {
+    std::shared_ptr<const PointVelocity> velocity;
     together(
         exchange_,
         [&]
         {
             snapshot->check();
-            latestVelocity_ =
+            velocity =
                 std::make_shared<const PointVelocity>(snapshot, options_.wallVelocity);
         }
     );
+    return velocity;
+}
+
+void StabilityTracker::start(std::shared_ptr<const FlowSnapshot> snapshot)
+{
+    latestVelocity_ = velocityOf(snapshot);
     latest_ = std::move(snapshot);
     lastClassified_ = latest_->time;
 }
@@ -110,16 +119,7 @@ void StabilityTracker::advance(std::shared_ptr<const FlowSnapshot> snapshot)
                 << latest_->time << " s.";
         throw BadInput(message.str());
     }
-    std::shared_ptr<const PointVelocity> velocity;
-    together(
-        exchange_,
-        [&]
-        {
-            snapshot->check();
-            velocity =
-                std::make_shared<const PointVelocity>(snapshot, options_.wallVelocity);
-        }
-    );
+    const auto velocity = velocityOf(snapshot);
     const VelocityInterval interval(latestVelocity_, velocity);
     {
         const Busy watch(timings_.advection);

@@ -113,7 +113,7 @@ TEST(ExactSum, isRoundedToTheNearest)
     }
 }
 
-TEST(ExactSum, sumsAddAndSubtract)
+TEST(ExactSum, sumsAddAndCancel)
 {
     ExactSum a, b;
     a.add(1e20);
@@ -123,8 +123,10 @@ TEST(ExactSum, sumsAddAndSubtract)
     ExactSum both(a);
     both.add(b);
     EXPECT_EQ(both.value(), -2.5);
-    both.subtract(a);
-    both.subtract(b);
+    ExactSum minusBoth;
+    minusBoth.add(3);
+    minusBoth.add(-0.5);
+    both.add(minusBoth);
     EXPECT_EQ(both.value(), 0);
 
     ExactSum doubled;
