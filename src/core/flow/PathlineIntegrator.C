@@ -85,17 +85,16 @@ public:
     }
 
 private:
-    // The position may have been changed and the meshes are others: nothing but the
-    // length of the step is taken over.
+    // Where the mesh becomes another, nothing but the length of the step is taken over.
     void beginInterval()
     {
         line_.nSteps = 0;
         line_.nForced = 0;
         line_.rejected = false;
-        line_.firstSameAsLast = false;
         line_.earlierHint = line_.hint;
         if (!velocity_.sharesComplex())
         {
+            line_.firstSameAsLast = false;
             line_.hint = CellHint();
         }
     }
@@ -302,7 +301,8 @@ IntegrationCounts& IntegrationCounts::operator+=(const IntegrationCounts& part)
 }
 
 IntegrationCounts advance(
-    UList<Pathline>& lines, const Velocity& velocity, const IntegrationOptions& options
+    const UList<Pathline*>& lines, const Velocity& velocity,
+    const IntegrationOptions& options
 )
 {
     List<IntegrationCounts> counts(lines.size());
@@ -311,18 +311,30 @@ IntegrationCounts advance(
 #pragma omp parallel for schedule(dynamic, 64) num_threads(nThreads)
     for (label i = 0; i < lines.size(); ++i)
     {
-        advance(lines[i], velocity, options, counts[i]);
+        advance(*lines[i], velocity, options, counts[i]);
     }
 
     IntegrationCounts total;
     forAll(lines, i)
     {
-        if (lines[i].counted)
+        if (lines[i]->counted)
         {
             total += counts[i];
         }
     }
     return total;
+}
+
+IntegrationCounts advance(
+    UList<Pathline>& lines, const Velocity& velocity, const IntegrationOptions& options
+)
+{
+    List<Pathline*> pointers(lines.size());
+    forAll(lines, i)
+    {
+        pointers[i] = &lines[i];
+    }
+    return advance(pointers, velocity, options);
 }
 
 } // namespace Foam::stability

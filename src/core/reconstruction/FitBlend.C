@@ -36,26 +36,30 @@ FitBlend::FitBlend(const UList<InterfaceFit>& fits, scalar reach)
     {
         smallest = fit.weight > 0 ? std::min(smallest, fit.size) : smallest;
     }
+    const auto levelOf = [&](const InterfaceFit& fit)
+    { return std::size_t(std::ilogb(fit.size / smallest)); };
+    for (const InterfaceFit& fit : fits)
+    {
+        if (fit.weight > 0)
+        {
+            levels_.resize(std::max(levels_.size(), levelOf(fit) + 1));
+            scalar& width = levels_[levelOf(fit)].width;
+            width = std::max(width, reach * fit.size);
+        }
+    }
     forAll(fits, i)
     {
-        if (!(fits[i].weight > 0))
+        if (fits[i].weight > 0)
         {
-            continue;
+            Level& level = levels_[levelOf(fits[i])];
+            const point& x = fits[i].centre;
+            level
+                .boxes[keyOf(
+                    boxOf(x.x(), level.width), boxOf(x.y(), level.width),
+                    boxOf(x.z(), level.width)
+                )]
+                .push_back({x, reach * fits[i].size, i});
         }
-        const std::size_t leveli = std::ilogb(fits[i].size / smallest);
-        if (leveli >= levels_.size())
-        {
-            levels_.resize(leveli + 1);
-        }
-        Level& level = levels_[leveli];
-        level.width = reach * smallest * std::ldexp(2, leveli);
-        const point& x = fits[i].centre;
-        level
-            .boxes[keyOf(
-                boxOf(x.x(), level.width), boxOf(x.y(), level.width),
-                boxOf(x.z(), level.width)
-            )]
-            .push_back({x, i});
     }
 }
 
@@ -86,7 +90,7 @@ void FitBlend::near(const point& x, std::vector<label>& found) const
                     {
                         for (const Entry& entry : box->second)
                         {
-                            if (magSqr(x - entry.centre) < sqr(level.width))
+                            if (magSqr(x - entry.centre) < sqr(entry.reach))
                             {
                                 found.push_back(entry.fit);
                             }

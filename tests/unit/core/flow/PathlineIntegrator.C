@@ -336,11 +336,38 @@ TEST(PathlineIntegrator, PositionMayBeChangedBetweenIntervals)
     List<Pathline> moved = shapes::linesAt({point(0.3, 0.35, 0.4)});
     advance(moved, first, IntegrationOptions());
     moved[0].x = point(0.6, 0.2, 0.3);
+    moved[0].firstSameAsLast = false;
     List<Pathline> fresh = shapes::linesAt({moved[0].x}, 0.2);
     fresh[0].step = moved[0].step;
     advance(moved, second, IntegrationOptions());
     advance(fresh, second, IntegrationOptions());
     expectBitwise(moved, fresh);
+}
+
+TEST(PathlineIntegrator, LastStageOfAnIntervalIsTheFirstOfTheNext)
+{
+    const List<point> start = shapes::inSphere(50);
+    List<Pathline> lines = shapes::linesAt(start);
+    for (label n = 0; n < 3; ++n)
+    {
+        const shapes::AnalyticVelocity flow(shapes::leveque(), 0.2 * n, 0.2 * (n + 1));
+        const Interrupted counted(flow, labelMax);
+        IntegrationCounts counts;
+        for (Pathline& line : lines)
+        {
+            advance(line, counted, shapes::tolerance(1e-8), counts);
+        }
+        EXPECT_EQ(
+            counted.nAnswered(),
+            6 * (counts.nSteps + counts.nRejected) + (n == 0 ? start.size() : 0)
+        );
+    }
+    List<Pathline> exact = shapes::linesAt(start);
+    advance(
+        exact, shapes::AnalyticVelocity(shapes::leveque(), 0, 0.6),
+        shapes::tolerance(1e-10)
+    );
+    EXPECT_LT(shapes::rmsDistance(lines, shapes::positions(exact)), 1e-7);
 }
 
 TEST(PathlineIntegrator, StepsEndTogetherWithTheInterval)
