@@ -34,7 +34,7 @@ VoxelMask::Voxel VoxelMask::voxelAt(const point& x) const
 }
 
 template<class Visit>
-void VoxelMask::visit(const boundBox& box, scalar size, const Visit& visit)
+void VoxelMask::visit(const boundBox& box, scalar size, const Visit& visitor)
 {
     std::int64_t low[3], high[3];
     for (direction d = 0; d < 3; ++d)
@@ -42,26 +42,57 @@ void VoxelMask::visit(const boundBox& box, scalar size, const Visit& visit)
         low[d] = placeOf(box.min()[d], size);
         high[d] = placeOf(box.max()[d], size);
     }
+    visit(low, high, visitor);
+}
+
+template<class Visit>
+void VoxelMask::visit(
+    const std::int64_t (&low)[3], const std::int64_t (&high)[3], const Visit& visitor
+)
+{
     for (std::int64_t i = low[0]; i <= high[0]; ++i)
     {
         for (std::int64_t j = low[1]; j <= high[1]; ++j)
         {
             for (std::int64_t k = low[2]; k <= high[2]; ++k)
             {
-                visit((Voxel(i) << (2 * bits)) | (Voxel(j) << bits) | Voxel(k));
+                visitor((Voxel(i) << (2 * bits)) | (Voxel(j) << bits) | Voxel(k));
             }
         }
     }
 }
 
+// A reach of several voxels is added for all points of a voxel at once.
 void VoxelMask::add(const point& x, scalar reach)
 {
-    if (reach == size_ && !centres_.insert(voxelAt(x)).second)
-    {
-        return; // a point of the same voxel has added all that this one would
-    }
     const vector wide(reach, reach, reach);
-    add(boundBox(x - wide, x + wide));
+    if (reach < size_)
+    {
+        add(boundBox(x - wide, x + wide));
+        return;
+    }
+    const std::int64_t n = std::ceil(reach / size_);
+    std::int64_t& added = centres_[voxelAt(x)];
+    if (added >= n)
+    {
+        return;
+    }
+    added = n;
+    std::int64_t low[3], high[3];
+    for (direction d = 0; d < 3; ++d)
+    {
+        const std::int64_t place = placeOf(x[d], size_);
+        low[d] = std::max(place - n, std::int64_t(0));
+        high[d] = std::min(place + n, 2 * middle - 1);
+    }
+    visit(low, high, [&](Voxel voxel) { voxels_.insert(voxel); });
+}
+
+bool VoxelMask::meets(const boundBox& box) const
+{
+    bool any = false;
+    visit(box, size_, [&](Voxel voxel) { any = any || voxels_.count(voxel) > 0; });
+    return any;
 }
 
 void VoxelMask::add(const boundBox& box)

@@ -7,7 +7,6 @@
 #include "core/Errors.H"
 #include "core/parametrization/Flattening.H"
 #include "core/ranks/ExactSum.H"
-#include "core/reconstruction/InterfaceMotion.H"
 #include "core/reconstruction/NoiseFloor.H"
 
 #include <algorithm>
@@ -68,6 +67,14 @@ void StabilityTracker::enter(Phase phase) const
     {
         together(exchange_, [&] { options_.entering(phase); });
     }
+}
+
+Comparison::Setting StabilityTracker::setting() const
+{
+    const ReconstructionFrom& change = changes_[present()];
+    return {
+        latest_, change.matching, change.transfer, latest_->time - lastClassified_,
+        exchange_};
 }
 
 scalar StabilityTracker::time() const
@@ -173,50 +180,17 @@ StabilityTracker::Extracted StabilityTracker::extract()
     return extracted;
 }
 
-// How far matching looks, anywhere [m].
-scalar StabilityTracker::searchReach(const SurfacePiece& interface) const
-{
-    const MatchingOptions& matching = changes_[present()].matching;
-    scalar reach = VSMALL;
-    for (const InterfaceMesh* mesh : {&interface.mesh, &timeSurface_.piece().mesh})
-    {
-        for (const scalar h : mesh->cellSizes)
-        {
-            reach = std::max(
-                reach, std::max(matching.epsilon.at(h), matching.searchRadius * h)
-            );
-        }
-    }
-    return largest(reach, exchange_);
-}
-
-// What is near the surfaces of this rank.
-VoxelMask StabilityTracker::around(const SurfacePiece& interface, scalar reach) const
-{
-    VoxelMask mask(reach);
-    for (const InterfaceMesh* mesh : {&interface.mesh, &timeSurface_.piece().mesh})
-    {
-        for (const point& x : mesh->points)
-        {
-            mask.add(x, reach);
-        }
-    }
-    return mask;
-}
-
 // Step 1 of the method (paper 4.2): the first interface there is gets p, and T starts
 // from its flattened copy.
 void StabilityTracker::startSurface(const SurfacePiece& interface)
 {
     enter(Phase::parametrization);
     const Busy watch(timings_.parametrization);
-    const point apex = complex().whole().bounds.centre();
-    const scalar reach = searchReach(interface);
+    const Comparison::Setting setting(this->setting());
     {
-        const SurfaceHalo halo(
-            interface, around(interface, reach), exchange_, images()
+        const Components components(
+            surroundings(interface, setting), setting.apex(), exchange_
         );
-        const Components components(halo, apex, exchange_);
         const List<bool> all(interface.mesh.triangles.size(), true);
         result_.parametrization = parametrize(
             wholeComponents(interface, components, all, exchange_).piece,
@@ -232,169 +206,27 @@ void StabilityTracker::startSurface(const SurfacePiece& interface)
     surface = timeSurface_.piece();
     chart_ = SpreadChart(surface, complex().whole(), exchange_);
 
-    const SurfaceHalo halo(surface, around(surface, reach), exchange_, images());
+    const SurfaceHalo halo(surroundings(surface, setting));
     const SmallScales scales(smallScales(
-        surface, halo, Components(halo, apex, exchange_), latest_, options_.nThreads,
-        exchange_
+        surface, halo, Components(halo, setting.apex(), exchange_), latest_,
+        options_.nThreads, exchange_
     ));
     timeSurface_.setSmallScales(halo.ofHeld(scales.thin), halo.ofHeld(scales.subGrid));
     parametrized_ = true;
 }
 
-List<Match> StabilityTracker::matchBoth(
-    const SurfaceHalo& interface, const MatchTarget& target,
-    const SurfaceHalo& timeSurface, List<Match>& onTimeSurface
-)
+// Steps 4 and 5 of the method.
+void StabilityTracker::compare(Comparison& comparison)
 {
-    enter(Phase::matching);
-    const Busy watch(timings_.matching);
-    const MatchingOptions& options = changes_[present()].matching;
-    List<Match> onInterface;
-    together(
-        exchange_,
-        [&]
-        {
-            const MatchTarget interfaceTarget(interface.mesh(), options);
-            onInterface = matchPoints(interface.mesh(), target, options);
-            onTimeSurface = matchPoints(
-                target.mesh(), interfaceTarget, options, timeSurface.held()
-            );
-        }
-    );
-    return onInterface;
-}
-
-// p to the new interface.
-void StabilityTracker::carryOver(
-    const SurfaceHalo& interface, const MatchTarget& target,
-    const SurfaceHalo& timeSurface, List<Match>& matches
-)
-{
+    {
+        enter(Phase::matching);
+        const Busy watch(timings_.matching);
+        comparison.match();
+    }
     enter(Phase::transfer);
     const Busy watch(timings_.transfer);
-    DynamicList<point> unmatched;
-    forAll(matches, pointi)
-    {
-        if (!matches[pointi].stable)
-        {
-            unmatched.append(interface.mesh().points[pointi]);
-        }
-    }
-    const TransferSurroundings surroundings{
-        chart_.around(target.mesh(), pointField(unmatched), exchange_),
-        seamShape(
-            timeSurface.piece(), target.topology(), timeSurface.ownTriangles(),
-            exchange_
-        ),
-        interface.ownTriangles()};
-    InterfaceMesh mesh(interface.mesh());
-    useLocalCells(mesh, complex());
-    together(
-        exchange_,
-        [&]
-        {
-            result_.transfer = transfer(
-                mesh, matches, target, changes_[present()].transfer, surroundings
-            );
-            settleInCells(mesh, complex(), interface.mesh().points.size()); // new ones
-        }
-    );
-    for (label* count :
-         {&result_.transfer.nCrossing, &result_.transfer.nUnresolved,
-          &result_.transfer.nSplit, &result_.transfer.nMerged})
-    {
-        *count = exchange_.total(*count);
-    }
-    describeInterface(mesh, matches, interface);
-}
-
-// Of the own triangles of the split interface.
-void StabilityTracker::describeInterface(
-    const InterfaceMesh& split, const List<Match>& matches, const SurfaceHalo& before
-)
-{
-    InterfaceMesh mesh(split);
-    List<bool> nearWall(mesh.points.size(), false);
-    forAll(nearWall, pointi)
-    {
-        const label celli = mesh.cells[pointi];
-        nearWall[pointi] = celli >= 0 && complex().nearWall(celli);
-    }
-    ClassifiedSurface& interface = result_.interface;
-    interface = describe(
-        mesh, matches, Stability::attached, nearWall, latest_->time - lastClassified_
-    );
-    useGlobalCells(mesh, complex());
-    JoinedSurface own(
-        ownParts(mesh, result_.transfer.parents, before.piece(), before.ownTriangles())
-    );
-    select(interface, own.pointSources);
-    interface.order = own.piece;
-    interface.mesh = own.piece.mesh;
-
-    const SurfaceHalo halo(
-        own.piece, around(own.piece, searchReach(own.piece)), exchange_, images()
-    );
-    const Components components(halo, complex().whole().bounds.centre(), exchange_);
-    interface.areas = halo.ofHeld(halo.mesh().pointAreas());
-    interface.counted = halo.ofHeld(halo.counted());
-    interface.components = halo.ofHeld(components.ofPoints());
-    SmallScales scales(
-        smallScales(own.piece, halo, components, latest_, options_.nThreads, exchange_)
-    );
-    interface.thin = halo.ofHeld(scales.thin);
-    interface.subGrid = halo.ofHeld(scales.subGrid);
-    result_.droplets = std::move(scales.droplets);
-}
-
-ClassifiedSurface StabilityTracker::describeTimeSurface(
-    const SurfaceHalo& halo, const List<Match>& matches
-) const
-{
-    const TimeSurface::Marks& marks = timeSurface_.marks();
-    ClassifiedSurface surface(describe(
-        halo.mesh(), matches, Stability::detached, halo.onPiece(marks.nearWall),
-        latest_->time - lastClassified_
-    ));
-    surface.counted = halo.onPiece(marks.counted);
-    surface.thin = halo.onPiece(marks.thin);
-    surface.subGrid = halo.onPiece(marks.subGrid);
-    const List<bool> left(halo.onPiece(timeSurface_.left()));
-    forAll(left, pointi)
-    {
-        if (left[pointi])
-        {
-            surface.stability[pointi] = Stability::left;
-        }
-    }
-    surface.components =
-        Components(halo, complex().whole().bounds.centre(), exchange_).ofPoints();
-    return surface;
-}
-
-// Steps 4 and 5 of the method: both surfaces against each other, p to the new one.
-StabilityTracker::ComparedTimeSurface StabilityTracker::compare(const Extracted& fresh)
-{
-    // Of T also what is connected with the places where matches lie.
-    constexpr scalar forTransfer = 3, aroundInterface = 1.7;
-    const scalar reach = searchReach(fresh.piece);
-    const SurfaceHalo interface(
-        fresh.piece, around(fresh.piece, aroundInterface * reach), exchange_, images()
-    );
-    const SurfaceHalo timeSurface(
-        timeSurface_.piece(), around(fresh.piece, forTransfer * reach), exchange_,
-        images()
-    );
-    rateNoise(fresh, interface);
-    std::optional<MatchTarget> target;
-    together(
-        exchange_,
-        [&] { target.emplace(timeSurface.mesh(), changes_[present()].matching); }
-    );
-    List<Match> onTimeSurface;
-    List<Match> onInterface(matchBoth(interface, *target, timeSurface, onTimeSurface));
-    carryOver(interface, *target, timeSurface, onInterface);
-    return {timeSurface, describeTimeSurface(timeSurface, onTimeSurface)};
+    result_.transfer = comparison.carryOver(chart_);
+    result_.interface = comparison.describeInterface(result_.droplets);
 }
 
 void StabilityTracker::rateNoise(const Extracted& fresh, const SurfaceHalo& halo)
@@ -407,17 +239,6 @@ void StabilityTracker::rateNoise(const Extracted& fresh, const SurfaceHalo& halo
         { return Reconstruction::New(other)->extract(*latest_).mesh; },
         exchange_
     );
-}
-
-// Of T what is held here.
-void StabilityTracker::keepOwn(const ComparedTimeSurface& compared)
-{
-    const SurfacePiece& piece = timeSurface_.piece();
-    ClassifiedSurface& surface = result_.timeSurface;
-    surface = compared.surface;
-    select(surface, compared.halo.places());
-    surface.mesh = piece.mesh;
-    surface.order = piece;
 }
 
 void StabilityTracker::takeStock(const Extracted& extracted)
@@ -462,9 +283,7 @@ void StabilityTracker::handOn(bool begins)
         // The first interface appeared just now: all of it is attached, and T starts
         // from its flattened copy, which is written in T's place.
         startSurface(piece);
-        const SurfaceHalo halo(
-            timeSurface_.piece(), around(piece, searchReach(piece)), exchange_, images()
-        );
+        const SurfaceHalo halo(surroundings(timeSurface_.piece(), setting()));
         List<Match> atHome(halo.mesh().points.size());
         for (Match& match : atHome)
         {
@@ -472,7 +291,8 @@ void StabilityTracker::handOn(bool begins)
             match.nPreimages = 1;
             match.nearest.distance = 0;
         }
-        keepOwn({halo, describeTimeSurface(halo, atHome)});
+        result_.timeSurface =
+            ofHeld(describe(timeSurface_, halo, atHome, setting()), halo, timeSurface_);
     }
 }
 
@@ -502,10 +322,13 @@ const Classification& StabilityTracker::classify()
         startSurface(extracted.piece);
     }
     timeSurface_.comeHome(complex(), exchange_);
-    const ComparedTimeSurface compared(compare(extracted));
-    keepOwn(compared);
+    Comparison comparison(setting(), extracted.piece, timeSurface_);
+    rateNoise(extracted, comparison.interface());
+    compare(comparison);
+    const ClassifiedSurface timeSurface(comparison.describeTimeSurface());
+    result_.timeSurface = ofHeld(timeSurface, comparison.timeSurface(), timeSurface_);
     particles_.seed(
-        compared.surface, compared.halo, complex(), latest_->time, exchange_
+        timeSurface, comparison.timeSurface(), complex(), latest_->time, exchange_
     );
     result_.nSkippedParticles = particles_.nSkipped();
     takeStock(extracted);

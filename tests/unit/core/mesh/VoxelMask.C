@@ -43,6 +43,20 @@ TEST(VoxelMask, meetsWhatIsNearAndNothingElse)
     EXPECT_TRUE(meet(many, boundBox(point(0.9, 0.2, 0.2), point(0.95, 0.3, 0.3))));
     EXPECT_FALSE(meet(many, boundBox(point(1.1, 0.2, 0.2), point(1.2, 0.3, 0.3))));
 
+    // Several voxels far, for all points of a voxel at once; more than that adds more.
+    VoxelMask wide(0.5);
+    wide.add(point(0.25, 0.25, 0.25), 1);
+    wide.add(point(0.45, 0.25, 0.25), 1);
+    const boundBox atReach(point(1.4, 0.2, 0.2), point(1.45, 0.3, 0.3));
+    const boundBox beyond(point(1.6, 0.2, 0.2), point(1.7, 0.3, 0.3));
+    EXPECT_TRUE(meet(wide, atReach));
+    EXPECT_TRUE(wide.meets(atReach));
+    EXPECT_FALSE(meet(wide, beyond));
+    EXPECT_FALSE(wide.meets(beyond));
+    EXPECT_TRUE(wide.meets(boundBox(point(-9, -9, -9), point(-0.8, 0.4, 0.4))));
+    wide.add(point(0.25, 0.25, 0.25), 1.5);
+    EXPECT_TRUE(wide.meets(beyond));
+
     // A large triangle is followed along its surface, not by its box.
     VoxelMask triangle(0.1);
     const boundBox all(point(-9, -9, -9), point(9, 9, 9));
