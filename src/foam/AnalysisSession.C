@@ -5,7 +5,7 @@
 
 #include "core/Errors.H"
 #include "core/Busy.H"
-#include "foam/Failures.H"
+#include "foam/ranks/OnAll.H"
 #include "fvMesh.H"
 
 #include <cmath>
@@ -32,56 +32,6 @@ void checkFinite(
     }
 }
 
-// Of other ranks' cells: what the points of own triangles depend on.
-label nRings(const Controls& controls)
-{
-    // To extract alike two would do; droplets are looked at with six.
-    constexpr label toExtract = 6, toSharpen = 9;
-    const auto needed = [](const ReconstructionOptions& options)
-    {
-        return (options.sharpening == Sharpening::none ? toExtract : toSharpen)
-               + 2 * options.smooth; // each pair of steps looks twice at neighbours
-    };
-    label n = needed(controls.tracker.reconstruction);
-    for (const ReconstructionFrom& later : controls.tracker.later)
-    {
-        n = max(n, needed(later.reconstruction));
-    }
-    return n;
-}
-
-[[noreturn]] void refuse(const std::string& what)
-{
-    throw BadInput(
-        what
-        + " works in serial runs only so far: run the analysis on the "
-          "reconstructed case."
-    );
-}
-
-void refuseInParallel(const Controls& controls)
-{
-    for (const FilesFrom& files : controls.files)
-    {
-        if (!files.pattern.empty())
-        {
-            refuse("The reconstruction fromFiles");
-        }
-    }
-    const auto check = [](const ReconstructionOptions& options)
-    {
-        if (options.volumeFit != VolumeFit::none)
-        {
-            refuse("The entry 'volumeFit component'");
-        }
-    };
-    check(controls.tracker.reconstruction);
-    for (const ReconstructionFrom& later : controls.tracker.later)
-    {
-        check(later.reconstruction);
-    }
-}
-
 } // namespace
 
 AnalysisSession::AnalysisSession(
@@ -89,43 +39,10 @@ AnalysisSession::AnalysisSession(
     FieldSource source
 )
     : mesh_(mesh), controls_(controls), resultFolder_(folder),
-      fields_(made([&] { return CaseFields(mesh, controls.alpha, controls.U, source); })
-      ),
-      flux_(mesh, controls.phi, controls.velocity, source),
-      surfaces_(mesh.time(), controls.files),
-      snapshots_(mesh, messages_, nRings(controls)),
+      snapshots_(mesh, controls, source, messages_),
       tracker_(observed(controls.tracker), messages_), seconds_(phaseNames().size(), 0),
       secondsBefore_(seconds_)
 {
-    if (messages_.nRanks() > 1)
-    {
-        refuseInParallel(controls);
-    }
-}
-
-void AnalysisSession::together(const std::function<void()>& work) const
-{
-    if (messages_.nRanks() == 1)
-    {
-        work();
-    }
-    else
-    {
-        messages_.agree<std::runtime_error>(failureOf(work));
-    }
-}
-
-void AnalysisSession::onMaster(const std::function<void()>& work) const
-{
-    together(
-        [&]
-        {
-            if (messages_.rank() == 0)
-            {
-                work();
-            }
-        }
-    );
 }
 
 TrackerOptions AnalysisSession::observed(const TrackerOptions& options)
@@ -143,113 +60,15 @@ void AnalysisSession::enter(Phase phase)
 
 void AnalysisSession::expect(const instantList& times)
 {
-    requireSame(times);
-    if (times.size() < 2)
-    {
-        throw BadInput(
-            "Times selected: " + std::to_string(times.size())
-            + "; the analysis compares consecutive times and needs at least two: check "
-              "the time options and the time folders of the case."
-        );
-    }
-    together(
-        [&]
-        {
-            fields_.require(times);
-            flux_.choose(times);
-            surfaces_.require(times);
-        }
-    );
+    snapshots_.require(times);
     progress_.expect(times.size());
-}
-
-// A run that was killed may have left a time on some ranks only.
-void AnalysisSession::requireSame(const instantList& times) const
-{
-    DynamicList<char> names;
-    for (const instant& time : times)
-    {
-        names.append(List<char>(time.name().begin(), time.name().end()));
-        names.append(' ');
-    }
-    Packet mine;
-    mine.putList(names);
-    const List<char> wanted(messages_.fromMaster(mine).getList<char>());
-    together(
-        [&]
-        {
-            if (wanted != names)
-            {
-                throw BadInput(
-                    "The folders of the ranks do not have the same times: remove those "
-                    "that are not in all of processor0, processor1, ..."
-                );
-            }
-        }
-    );
-}
-
-// Where nobody said which times there will be: in a solver, or those on disk from now
-// on.
-void AnalysisSession::chooseVelocity()
-{
-    const Time& runTime = mesh_.time();
-    DynamicList<instant> times;
-    if (!fields_.inMemory())
-    {
-        for (const instant& time : runTime.times())
-        {
-            const bool later =
-                time.name() != runTime.constant() && time.value() > runTime.value();
-            if (later || time.name() == runTime.timeName())
-            {
-                times.append(time);
-            }
-        }
-    }
-    flux_.choose(instantList(times));
 }
 
 std::shared_ptr<const FlowSnapshot> AnalysisSession::takeSnapshot()
 {
     const Busy busy(readingSeconds_);
-    std::shared_ptr<FlowSnapshot> snapshot(takeFields());
-    const instant now(mesh_.time().value(), mesh_.time().timeName());
-    if (surfaces_.expected(now))
-    {
-        snapshot->surface = surfaces_.read(now, nTaken_);
-    }
-    ++nTaken_;
-    return snapshot;
-}
-
-std::shared_ptr<FlowSnapshot> AnalysisSession::takeFields()
-{
-    std::optional<tmp<volScalarField>> alpha;
-    std::optional<tmp<volVectorField>> U;
-    std::optional<tmp<surfaceScalarField>> phi;
-    together(
-        [&]
-        {
-            enter(Phase::reading);
-            const std::string missing = fields_.missing();
-            if (!missing.empty())
-            {
-                throw BadInput(missing);
-            }
-            alpha.emplace(fields_.alpha());
-            U.emplace(fields_.U());
-            if (!flux_.chosen())
-            {
-                chooseVelocity();
-            }
-            if (flux_.applies())
-            {
-                phi.emplace(flux_.get());
-            }
-        }
-    );
-    return snapshots_.take((*alpha)(), (*U)(), time_, phi ? &(*phi)() : nullptr);
+    onAll(messages_, [&] { enter(Phase::reading); });
+    return snapshots_.take();
 }
 
 fileName AnalysisSession::resultPath() const
@@ -263,6 +82,7 @@ void AnalysisSession::prepareResults()
     if (controls_.writeToFile)
     {
         onMaster(
+            messages_,
             [&] {
                 folder_ =
                     std::make_unique<ResultFolder>(path_, controls_.writePrecision);
@@ -277,7 +97,7 @@ void AnalysisSession::advance()
 {
     const Busy busy(busySeconds_);
     phase_ = Phase::reading;
-    time_ = fields_.time();
+    time_ = snapshots_.time();
     if (meshChanged_)
     {
         throw BadInput(
@@ -322,8 +142,9 @@ void AnalysisSession::classify()
     ++nClassified_;
     latest_ = &classification;
     filesWritten_ = false;
-    together([&] { enter(Phase::writing); });
+    onAll(messages_, [&] { enter(Phase::writing); });
     onMaster(
+        messages_,
         [&]
         {
             checkFinite(classification.statistics.values(), Statistics::columns());
@@ -358,7 +179,7 @@ void AnalysisSession::writeFiles()
     }
     const Busy busy(busySeconds_);
     filesWritten_ = true;
-    together([&] { enter(Phase::writing); });
+    onAll(messages_, [&] { enter(Phase::writing); });
     writeTurns();
 }
 
@@ -377,7 +198,7 @@ void AnalysisSession::writeTurns()
             series_->writeParticles(tracker_.particles(), *latest_);
         }
     }
-    onMaster([&] { writeTimings(); });
+    onMaster(messages_, [&] { writeTimings(); });
 }
 
 // The row of the latest classified time, anew where its files came later.
@@ -432,11 +253,13 @@ void AnalysisSession::announce() const
     const Epsilon& epsilon = options.matching.epsilon;
     if (progress_.shown())
     {
-        Info << "interfaceStability:" << nl << "    fields " << fields_.alphaName()
-             << " (from " << fields_.source().c_str() << ") and " << fields_.UName()
-             << nl << "    velocity "
-             << (flux_.kind() == VelocityKind::flux ? "flux: " : "U: ")
-             << flux_.reason().c_str() << nl << "    "
+        const CaseFields& fields = snapshots_.fields();
+        const FaceFlux& flux = snapshots_.flux();
+        Info << "interfaceStability:" << nl << "    fields " << fields.alphaName()
+             << " (from " << fields.source().c_str() << ") and " << fields.UName() << nl
+             << "    velocity "
+             << (flux.kind() == VelocityKind::flux ? "flux: " : "U: ")
+             << flux.reason().c_str() << nl << "    "
              << options.reconstruction.method.c_str() << " reconstruction, sharpening "
              << sharpeningNames()[label(options.reconstruction.sharpening)].c_str()
              << ", volumeFit "

@@ -4,6 +4,7 @@
 #include "core/flow/CellComplex.H"
 
 #include "core/Errors.H"
+#include "core/flow/FaceGeometry.H"
 
 #include "DynamicList.H"
 #include "FixedList.H"
@@ -18,57 +19,6 @@ namespace Foam::stability
 
 namespace
 {
-
-// The points of a face from the lowest towards the lower of its neighbours. Says
-// whether that is against the direction of the face.
-bool inCanonicalDirection(const face& f, DynamicList<label>& points)
-{
-    const label n = f.size();
-    const label first = std::min_element(f.begin(), f.end()) - f.begin();
-    const bool reversed = f[f.rcIndex(first)] < f[f.fcIndex(first)];
-    points.setSize(n);
-    for (label k = 0; k < n; ++k)
-    {
-        points[k] = f[(reversed ? first - k + n : first + k) % n];
-    }
-    return reversed;
-}
-
-// Area-weighted centre and area vector of a polygon: triangles around the mean of
-// its points, as OpenFOAM's primitiveMesh. To the last bit the same from both sides.
-void faceGeometry(const face& f, const pointField& points, point& centre, vector& area)
-{
-    DynamicList<label, 16> ring;
-    const bool reversed = inCanonicalDirection(f, ring);
-    point mean(Zero);
-    for (const label pointi : ring)
-    {
-        mean += points[pointi];
-    }
-    mean /= ring.size();
-
-    vector sum(Zero);
-    const auto corner = [&](label i) -> const point&
-    { return points[ring[i % ring.size()]]; };
-    for (label i = 0; i < ring.size(); ++i)
-    {
-        sum += 0.5 * ((corner(i) - mean) ^ (corner(i + 1) - mean));
-    }
-    area = reversed ? -sum : sum;
-
-    const vector direction = sum / max(mag(sum), VSMALL);
-    scalar weight = 0;
-    vector moment(Zero);
-    for (label i = 0; i < ring.size(); ++i)
-    {
-        const point& a = corner(i);
-        const point& b = corner(i + 1);
-        const scalar part = 0.5 * (((a - mean) ^ (b - mean)) & direction);
-        weight += part;
-        moment += part * (a + b - 2 * mean) / 3;
-    }
-    centre = weight > VSMALL ? mean + moment / weight : mean;
-}
 
 // Volume of a tetrahedron over the cube of its longest edge at `apex`: 0 if flat,
 // negative if the triangle is seen from behind.
@@ -131,7 +81,8 @@ CellComplex::CellComplex(CellComplexInput input) : input_(std::move(input))
     computeFaces();
     computeCells();
     chooseTetBases();
-    binCells();
+    bounds_ = boundBox(points(), false);
+    bins_ = CellBins(*this);
     countRings();
     forAll(input_.globalCells, celli)
     {
@@ -370,134 +321,6 @@ bool CellComplex::holds(label celli, const point& x) const
         }
     }
     return true;
-}
-
-namespace
-{
-
-// The bin of a position along each direction of a grid over a box.
-Vector<label> binOf(const point& x, const boundBox& box, const Vector<label>& n)
-{
-    Vector<label> bin(0, 0, 0);
-    for (direction d = 0; d < 3; ++d)
-    {
-        const scalar length = max(box.span()[d], VSMALL);
-        const scalar position = (x[d] - box.min()[d]) / length;
-        bin[d] = label(max(scalar(0), min(position, scalar(1))) * n[d]);
-        bin[d] = min(bin[d], n[d] - 1);
-    }
-    return bin;
-}
-
-} // namespace
-
-void CellComplex::binCells()
-{
-    bounds_ = boundBox(points(), false);
-    const scalar volume = max(sum(cellVolumes_), VSMALL);
-    const scalar spacing = 2 * std::cbrt(volume / nCells());
-    for (direction d = 0; d < 3; ++d)
-    {
-        nBins_[d] = max(label(1), min(label(256), label(bounds_.span()[d] / spacing)));
-    }
-
-    const auto visit = [&](const auto& add)
-    {
-        for (label celli = 0; celli < nCells(); ++celli)
-        {
-            boundBox box;
-            for (const label facei : cellFaces_[celli])
-            {
-                for (const label pointi : faces()[facei])
-                {
-                    box.add(points()[pointi]);
-                }
-            }
-            const Vector<label> low = binOf(box.min(), bounds_, nBins_);
-            const Vector<label> high = binOf(box.max(), bounds_, nBins_);
-            for (label k = low.z(); k <= high.z(); ++k)
-            {
-                for (label j = low.y(); j <= high.y(); ++j)
-                {
-                    for (label i = low.x(); i <= high.x(); ++i)
-                    {
-                        add(i + nBins_.x() * (j + nBins_.y() * k), celli);
-                    }
-                }
-            }
-        }
-    };
-    bins_ = Rows(nBins_.x() * nBins_.y() * nBins_.z(), visit);
-}
-
-label CellComplex::findCell(const point& x) const
-{
-    const Vector<label> bin = binOf(x, bounds_, nBins_);
-    for (const label celli : bins_[binIndex(bin)])
-    {
-        if (holds(celli, x))
-        {
-            return celli;
-        }
-    }
-    // Ring by ring of bins; one more than the first that has cells.
-    label nearest = -1;
-    label last = nBins_.x() + nBins_.y() + nBins_.z();
-    for (label ring = 0; ring <= last; ++ring)
-    {
-        const label found = nearestInRing(x, bin, ring);
-        if (found >= 0)
-        {
-            last = nearest < 0 ? ring + 1 : last;
-            const bool nearer =
-                nearest < 0
-                || magSqr(x - cellCentres_[found]) < magSqr(x - cellCentres_[nearest]);
-            nearest = nearer ? found : nearest;
-        }
-    }
-    return nearest;
-}
-
-label CellComplex::binIndex(const Vector<label>& bin) const
-{
-    return bin.x() + nBins_.x() * (bin.y() + nBins_.y() * bin.z());
-}
-
-// The cell with the nearest centre in the bins at this Chebyshev distance.
-label CellComplex::nearestInRing(const point& x, const Vector<label>& bin, label ring)
-    const
-{
-    Vector<label> low, high;
-    for (direction d = 0; d < 3; ++d)
-    {
-        low[d] = max(label(0), bin[d] - ring);
-        high[d] = min(nBins_[d] - 1, bin[d] + ring);
-    }
-    label nearest = -1;
-    Vector<label> b;
-    for (b.z() = low.z(); b.z() <= high.z(); ++b.z())
-    {
-        for (b.y() = low.y(); b.y() <= high.y(); ++b.y())
-        {
-            for (b.x() = low.x(); b.x() <= high.x(); ++b.x())
-            {
-                if (cmptMax(cmptMag(b - bin)) != ring)
-                {
-                    continue;
-                }
-                for (const label celli : bins_[binIndex(b)])
-                {
-                    if (nearest < 0
-                        || magSqr(x - cellCentres_[celli])
-                               < magSqr(x - cellCentres_[nearest]))
-                    {
-                        nearest = celli;
-                    }
-                }
-            }
-        }
-    }
-    return nearest;
 }
 
 } // namespace Foam::stability
