@@ -215,23 +215,32 @@ void StabilityTracker::startSurface(const SurfacePiece& interface)
     parametrized_ = true;
 }
 
-// Steps 4 and 5 of the method.
-void StabilityTracker::compare(Comparison& comparison)
+// Steps 4 and 5 of the method, and the particles that it sheds.
+void StabilityTracker::compare(const Extracted& extracted)
 {
-    {
-        enter(Phase::matching);
-        const Busy watch(timings_.matching);
-        comparison.match();
-    }
+    enter(Phase::matching);
+    std::optional<Busy> watch(timings_.matching);
+    timeSurface_.comeHome(complex(), exchange_);
+    Comparison comparison(setting(), extracted.piece, timeSurface_);
+    comparison.match();
+    watch.emplace(timings_.reconstruction);
+    rateNoise(extracted, comparison.interface());
+
     enter(Phase::transfer);
-    const Busy watch(timings_.transfer);
+    watch.emplace(timings_.transfer);
     result_.transfer = comparison.carryOver(chart_);
     result_.interface = comparison.describeInterface(result_.droplets);
+    const ClassifiedSurface timeSurface(comparison.describeTimeSurface());
+    result_.timeSurface = ofHeld(timeSurface, comparison.timeSurface(), timeSurface_);
+    watch.emplace(timings_.particles);
+    particles_.seed(
+        timeSurface, comparison.timeSurface(), complex(), latest_->time, exchange_
+    );
+    result_.nSkippedParticles = particles_.nSkipped();
 }
 
 void StabilityTracker::rateNoise(const Extracted& fresh, const SurfaceHalo& halo)
 {
-    const Busy watch(timings_.reconstruction);
     result_.statistics.noiseFloor = noiseFloor(
         fresh.piece.mesh, fresh.spread, halo.ofHeld(halo.counted()),
         changes_[present()].reconstruction,
@@ -271,6 +280,7 @@ void StabilityTracker::handOn(bool begins)
     piece.mesh = interface.mesh;
     if (!begins)
     {
+        const Busy watch(timings_.advection);
         timeSurface_.seed(
             piece,
             {interface.areas, interface.counted, interface.nearWall, interface.thin,
@@ -321,16 +331,7 @@ const Classification& StabilityTracker::classify()
     {
         startSurface(extracted.piece);
     }
-    timeSurface_.comeHome(complex(), exchange_);
-    Comparison comparison(setting(), extracted.piece, timeSurface_);
-    rateNoise(extracted, comparison.interface());
-    compare(comparison);
-    const ClassifiedSurface timeSurface(comparison.describeTimeSurface());
-    result_.timeSurface = ofHeld(timeSurface, comparison.timeSurface(), timeSurface_);
-    particles_.seed(
-        timeSurface, comparison.timeSurface(), complex(), latest_->time, exchange_
-    );
-    result_.nSkippedParticles = particles_.nSkipped();
+    compare(extracted);
     takeStock(extracted);
     handOn(begins);
     rateClasses();
