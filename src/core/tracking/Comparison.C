@@ -16,6 +16,14 @@ namespace
 
 using Setting = Comparison::Setting;
 
+// T's seams turn and end at places that are looked for on M within epsilon: what is
+// farther than this from the corners of a triangle of cell size h has no say in how it
+// is split [m].
+scalar reachOfSplit(const MatchingOptions& matching, scalar h)
+{
+    return h + 2 * matching.epsilon.at(h);
+}
+
 // How far from any point of these there is what a search from it finds, or what has a
 // say in what is found there; the same on all ranks [m].
 scalar
@@ -28,7 +36,7 @@ searchReach(std::initializer_list<const SurfacePiece*> pieces, const Setting& se
         for (const scalar h : piece->mesh.cellSizes)
         {
             reach = std::max(
-                reach, std::max(2 * matching.epsilon.at(h), matching.searchRadius * h)
+                reach, std::max(reachOfSplit(matching, h), matching.searchRadius * h)
             );
         }
     }
@@ -79,8 +87,7 @@ SurfaceHalo timeSurfaceHalo(
     return haloOf(timeSurface, mask, setting);
 }
 
-// The places on M where T's seams turn or end are looked for within epsilon: what comes
-// no nearer than that twice has no say in how an own triangle is split.
+// The own triangles of M and what has a say in how they are split.
 SurfacePiece nearOwn(
     const SurfacePiece& held, const SurfaceHalo& halo, const MatchingOptions& options,
     List<bool>& own
@@ -89,7 +96,7 @@ SurfacePiece nearOwn(
     scalar distance = VSMALL;
     for (const scalar h : held.mesh.cellSizes)
     {
-        distance = std::max(distance, 2 * options.epsilon.at(h));
+        distance = std::max(distance, reachOfSplit(options, h));
     }
     VoxelMask mask(voxelsFor(distance));
     addAround(held, distance, mask);
