@@ -27,6 +27,7 @@ public:
             input_.patchNames[side] = names[side];
             addSide(side);
         }
+        input_.nCells = n_.x() * n_.y() * n_.z();
         input_.points.transfer(points_);
         input_.faces.transfer(faces_);
         input_.owner.transfer(owner_);

@@ -32,6 +32,7 @@ public:
         }
         appendBoundary();
 
+        input_.nCells = label(cells.size());
         input_.faces.transfer(faces_);
         input_.owner.transfer(owner_);
         input_.neighbour.transfer(neighbour_);

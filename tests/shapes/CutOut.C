@@ -53,6 +53,7 @@ CellComplexInput cutOut(
     const label patch = from.patchNames.size();
 
     CellComplexInput to;
+    to.nCells = max(numbers) + 1;
     to.points = from.points;
     to.patchNames = from.patchNames;
     to.patchNames.append("obstacle");

@@ -20,7 +20,7 @@ class Dual
 {
 public:
     explicit Dual(const CellComplexInput& tets)
-        : tets_(tets), corners_(max(tets.owner) + 1), cells_(tets.points.size())
+        : tets_(tets), corners_(tets.nCells), cells_(tets.points.size())
     {
         forAll(tets.faces, facei)
         {

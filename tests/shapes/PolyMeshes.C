@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <random>
 #include <vector>
 
 namespace Foam::stability::shapes
@@ -199,7 +200,76 @@ scalar noise(const point& x, label d)
     return 2 * (r - std::floor(r)) - 1;
 }
 
+labelList shuffled(label n, std::mt19937& random)
+{
+    labelList order(identity(n));
+    std::shuffle(order.begin(), order.end(), random);
+    return order;
+}
+
+// New number of each cell; the last goes to one without boundary faces.
+labelList shuffledCells(const CellComplexInput& mesh, std::mt19937& random)
+{
+    labelList numbers(shuffled(mesh.nCells, random));
+    List<bool> inside(mesh.nCells, true);
+    for (label facei = mesh.neighbour.size(); facei < mesh.faces.size(); ++facei)
+    {
+        inside[mesh.owner[facei]] = false;
+    }
+    if (const label celli = inside.find(true); celli >= 0)
+    {
+        std::swap(numbers[celli], numbers[numbers.find(mesh.nCells - 1)]);
+    }
+    return numbers;
+}
+
 } // namespace
+
+CellComplexInput renumbered(const CellComplexInput& mesh, unsigned seed)
+{
+    std::mt19937 random(seed);
+    CellComplexInput result(mesh);
+    const labelList points = shuffled(mesh.points.size(), random);
+    forAll(points, i)
+    {
+        result.points[points[i]] = mesh.points[i];
+    }
+    const labelList cells = shuffledCells(mesh, random);
+    const label nInternal = mesh.neighbour.size();
+    const labelList internal = shuffled(nInternal, random);
+    forAll(mesh.faces, facei)
+    {
+        face f(mesh.faces[facei]);
+        for (label& pointi : f)
+        {
+            pointi = points[pointi];
+        }
+        std::rotate(f.begin(), f.begin() + random() % f.size(), f.end());
+        const label to = facei < nInternal ? internal[facei] : facei;
+        label owner = cells[mesh.owner[facei]];
+        if (facei < nInternal)
+        {
+            label neighbour = cells[mesh.neighbour[facei]];
+            if (owner > neighbour)
+            {
+                std::swap(owner, neighbour);
+                f.flip();
+            }
+            result.neighbour[to] = neighbour;
+        }
+        result.owner[to] = owner;
+        result.faces[to] = f;
+    }
+    for (label i = nInternal; i + 1 < result.faces.size(); ++i)
+    {
+        if (result.patches[i - nInternal] == result.patches[i + 1 - nInternal])
+        {
+            std::swap(result.faces[i], result.faces[i + 1]);
+            std::swap(result.owner[i], result.owner[i + 1]);
+        }
+    }
+    return result;
+}
 
 CellComplexInput perturbedBox(const BoxOptions& options, scalar amplitude)
 {

@@ -117,8 +117,7 @@ class Ordering
 {
 public:
     explicit Ordering(CellComplexInput& mesh)
-        : mesh_(mesh), nInternal_(mesh.neighbour.size()),
-          nCells_(mesh.owner.empty() ? 0 : max(mesh.owner) + 1),
+        : mesh_(mesh), nInternal_(mesh.neighbour.size()), nCells_(mesh.nCells),
           images_(mesh.whole ? mesh.whole->images.get() : nullptr)
     {
     }

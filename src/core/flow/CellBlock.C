@@ -204,6 +204,7 @@ private:
 
     void join()
     {
+        mesh_.nCells = cells_.size();
         mesh_.points.transfer(points_);
         mesh_.globalPoints.transfer(pointIds_);
         mesh_.globalCells.transfer(cells_);

@@ -56,7 +56,7 @@ Rows facesOfCells(const CellComplexInput& mesh)
     }
     std::sort(order.begin(), order.end());
     return Rows(
-        mesh.owner.empty() ? 0 : max(mesh.owner) + 1,
+        mesh.nCells,
         [&](const auto& add)
         {
             for (const auto& [key, facei] : order)
@@ -73,7 +73,7 @@ Rows facesOfCells(const CellComplexInput& mesh)
 
 CellComplex::CellComplex(CellComplexInput input) : input_(std::move(input))
 {
-    if (input_.owner.empty())
+    if (input_.nCells == 0)
     {
         throw BadInput("The mesh has no cells: nothing can be analysed on it.");
     }
@@ -165,7 +165,7 @@ labelList CellComplex::cellsAround(label celli) const
 
 void CellComplex::computeAddressing()
 {
-    const label nCells = max(input_.owner) + 1;
+    const label nCells = input_.nCells;
     cellCentres_.setSize(nCells);
 
     cellFaces_ = facesOfCells(input_);
@@ -247,6 +247,14 @@ void CellComplex::computeCells()
     for (label celli = 0; celli < nCells(); ++celli)
     {
         const auto& cellFaces = cellFaces_[celli];
+        if (cellFaces.size() < 4)
+        {
+            throw NumericalFailure(
+                "Cell " + std::to_string(globalCell(celli)) + " of the mesh has "
+                + std::to_string(cellFaces.size())
+                + " faces, but a cell has at least 4: run checkMesh."
+            );
+        }
         point estimate(Zero);
         for (const label facei : cellFaces)
         {

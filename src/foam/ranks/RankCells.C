@@ -67,6 +67,7 @@ CellComplexInput complexInput(const fvMesh& mesh)
 {
     const label nBoundaryFaces = mesh.nFaces() - mesh.nInternalFaces();
     CellComplexInput input;
+    input.nCells = mesh.nCells();
     input.points = mesh.points();
     input.faces = mesh.faces();
     input.owner = mesh.faceOwner();

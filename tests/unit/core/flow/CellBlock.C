@@ -18,7 +18,7 @@ namespace
 // A mesh that is its own whole.
 CellComplexInput numbered(CellComplexInput mesh)
 {
-    mesh.globalCells = identity(max(mesh.owner) + 1);
+    mesh.globalCells = identity(mesh.nCells);
     mesh.globalPoints = identity(mesh.points.size());
     mesh.globalBoundaryFaces = identity(mesh.kinds.size());
     mesh.behind = labelList(mesh.kinds.size(), -1);

@@ -3,7 +3,7 @@
 
 #include "core/flow/CellComplex.H"
 #include "core/Errors.H"
-#include "shapes/BoxMesh.H"
+#include "shapes/PolyMeshes.H"
 
 #include <gtest/gtest.h>
 
@@ -121,6 +121,32 @@ TEST(CellComplex, tetBaseAvoidsInvertedTetrahedra)
             EXPECT_GT((a ^ b) & c, 0) << "face " << facei;
         }
     }
+}
+
+// The last cell owns no face, so that nobody must take the highest owner for it.
+TEST(CellComplex, knowsAllCellsWhateverTheirNumbers)
+{
+    const CellComplexInput mesh(shapes::refinedBox(
+        shapes::BoxOptions{
+            point(0, 0, 0), point(1, 1, 1), Vector<label>(4, 4, 4), {}, {}},
+        [](const point& x) { return x.x() < 0.5; }
+    ));
+    const CellComplexInput other(shapes::renumbered(mesh, 3));
+    ASSERT_LT(max(other.owner), other.nCells - 1);
+    const CellComplex complex(other);
+    EXPECT_EQ(complex.nCells(), 32 + 8 * 32);
+    EXPECT_NEAR(sum(complex.cellVolumes()), 1, 1e-12);
+
+    const labelList last(complex.cellFaces()[complex.nCells() - 1]);
+    EXPECT_GE(last.size(), 6);
+    EXPECT_EQ(complex.findCell(complex.cellCentres().last()), complex.nCells() - 1);
+}
+
+TEST(CellComplex, refusesACellWithoutFaces)
+{
+    CellComplexInput input(shapes::boxInput(shapes::BoxOptions{}));
+    ++input.nCells;
+    EXPECT_THROW(CellComplex(std::move(input)), NumericalFailure);
 }
 
 TEST(CellComplex, refusesAMeshWithoutCells)

@@ -26,7 +26,7 @@ CellComplexInput numberedBox()
     options.n = Vector<label>(10, 9, 8);
     CellComplexInput mesh(shapes::perturbedBox(options));
     orderByPosition(mesh);
-    mesh.globalCells = identity(max(mesh.owner) + 1);
+    mesh.globalCells = identity(mesh.nCells);
     mesh.globalPoints = identity(mesh.points.size());
     mesh.globalBoundaryFaces = identity(mesh.kinds.size());
     mesh.behind = labelList(mesh.kinds.size(), -1);

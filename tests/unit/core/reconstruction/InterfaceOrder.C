@@ -46,7 +46,7 @@ std::shared_ptr<FlowSnapshot> wholeBall()
     options.max = point(20, 12, 12);
     CellComplexInput mesh(shapes::perturbedBox(options, 0.1));
     orderByPosition(mesh);
-    mesh.globalCells = identity(max(mesh.owner) + 1);
+    mesh.globalCells = identity(mesh.nCells);
     mesh.globalPoints = identity(mesh.points.size());
     mesh.globalBoundaryFaces = identity(mesh.kinds.size());
     mesh.behind = labelList(mesh.kinds.size(), -1);
