@@ -3,8 +3,8 @@
 
 #include "foam/AnalysisSession.H"
 
-#include "core/Errors.H"
-#include "core/Busy.H"
+#include "core/base/Errors.H"
+#include "core/base/Busy.H"
 #include "foam/ranks/OnAll.H"
 #include "fvMesh.H"
 
@@ -39,7 +39,7 @@ AnalysisSession::AnalysisSession(
     FieldSource source
 )
     : mesh_(mesh), controls_(controls), resultFolder_(folder),
-      snapshots_(mesh, controls, source, messages_),
+      snapshots_(mesh, controls.fields, controls.tracker, source, messages_),
       tracker_(observed(controls.tracker), messages_), seconds_(phaseNames().size(), 0),
       secondsBefore_(seconds_)
 {

@@ -3,7 +3,7 @@
 
 #include "foam/MethodComparison.H"
 
-#include "core/FileReplacement.H"
+#include "core/base/FileReplacement.H"
 #include "OSspecific.H"
 
 #include <iomanip>

@@ -20,8 +20,8 @@
 #include "vtk/NoFloatingPointTraps.H"
 #include "vtk/VtpWriter.H"
 
-#include "core/painting/ParameterTexture.H"
-#include "core/FileReplacement.H"
+#include "core/results/ParameterTexture.H"
+#include "core/base/FileReplacement.H"
 
 #include <algorithm>
 #include <sstream>

@@ -3,7 +3,7 @@
 
 // Matching and transfer with its seam treatment, by number of points.
 
-#include "core/tracking/Transfer.H"
+#include "core/transfer/Transfer.H"
 
 #include "shapes/ChartedSurfaces.H"
 

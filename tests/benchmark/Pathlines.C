@@ -4,7 +4,7 @@
 // What pathlines cost: one evaluation of the velocity, and one interval of LeVeque's
 // field, on n^3 cells.
 
-#include "core/flow/CellWalk.H"
+#include "core/cells/CellWalk.H"
 #include "core/flow/PathlineIntegrator.H"
 #include "shapes/AnalyticFlows.H"
 #include "shapes/BoxMesh.H"

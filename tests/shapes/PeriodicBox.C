@@ -3,8 +3,8 @@
 
 #include "shapes/PeriodicBox.H"
 
-#include "core/flow/HomeNumbers.H"
-#include "core/ranks/RingFetch.H"
+#include "core/cells/HomeNumbers.H"
+#include "core/cells/RingFetch.H"
 
 #include <cmath>
 #include <stdexcept>

@@ -3,7 +3,7 @@
 
 #include "core/flow/FlowSnapshot.H"
 
-#include "core/Errors.H"
+#include "core/base/Errors.H"
 
 #include <cmath>
 #include <string>

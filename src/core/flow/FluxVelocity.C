@@ -3,7 +3,7 @@
 
 #include "core/flow/FluxVelocity.H"
 
-#include "core/Errors.H"
+#include "core/base/Errors.H"
 
 #include <cmath>
 #include <string>

@@ -3,8 +3,8 @@
 
 #include "core/flow/VelocityInterval.H"
 
-#include "core/Errors.H"
-#include "core/flow/CellWalk.H"
+#include "core/base/Errors.H"
+#include "core/cells/CellWalk.H"
 
 #include <string>
 

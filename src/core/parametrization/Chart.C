@@ -3,7 +3,7 @@
 
 #include "core/parametrization/Chart.H"
 
-#include "core/Errors.H"
+#include "core/base/Errors.H"
 #include "core/parametrization/EdgePaths.H"
 #include "core/parametrization/SeamStraightening.H"
 #include "core/parametrization/SmallestBox.H"

@@ -3,7 +3,7 @@
 
 #include "core/parametrization/DiskCut.H"
 
-#include "core/Errors.H"
+#include "core/base/Errors.H"
 #include "core/parametrization/EdgePaths.H"
 #include "DynamicList.H"
 

@@ -3,9 +3,9 @@
 
 #include "core/parametrization/Flattening.H"
 
-#include "cgal/CgalFlattening.H"
-#include "cgal/SimplePolygon.H"
-#include "core/Errors.H"
+#include "core/parametrization/cgal/CgalFlattening.H"
+#include "core/parametrization/cgal/SimplePolygon.H"
+#include "core/base/Errors.H"
 #include "core/parametrization/SurfaceShape.H"
 
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "core/parametrization/Patches.H"
 
-#include "core/mesh/Rows.H"
+#include "core/base/Rows.H"
 #include "core/parametrization/SurfaceShape.H"
 #include "DynamicList.H"
 

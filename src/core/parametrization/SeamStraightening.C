@@ -3,8 +3,8 @@
 
 #include "core/parametrization/SeamStraightening.H"
 
-#include "core/mesh/SurfaceLocator.H"
-#include "core/mesh/SurfaceTopology.H"
+#include "core/surface/SurfaceLocator.H"
+#include "core/surface/SurfaceTopology.H"
 #include "triPointRef.H"
 
 namespace Foam::stability

@@ -3,7 +3,7 @@
 
 #include "core/parametrization/SurfaceShape.H"
 
-#include "core/mesh/DisjointSets.H"
+#include "core/base/DisjointSets.H"
 #include "DynamicList.H"
 
 namespace Foam::stability

@@ -3,7 +3,7 @@
 
 #include "core/ranks/Exchange.H"
 
-#include "core/Errors.H"
+#include "core/base/Errors.H"
 #include "error.H"
 
 namespace Foam::stability

@@ -3,8 +3,8 @@
 
 #include "core/reconstruction/BonnellDual.H"
 #include "core/reconstruction/MarchingTets.H"
-#include "core/flow/CanonicalOrder.H"
-#include "core/reconstruction/VolumeFractions.H"
+#include "core/cells/CanonicalOrder.H"
+#include "core/flow/VolumeFractions.H"
 
 #include <algorithm>
 #include <cmath>

@@ -2,13 +2,13 @@
 // Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/reconstruction/GivenInterface.H"
-#include "core/Errors.H"
-#include "core/flow/CellWalk.H"
-#include "core/mesh/SurfaceTopology.H"
-#include "core/reconstruction/CellPlacement.H"
-#include "core/reconstruction/InterfaceMotion.H"
-#include "core/flow/CanonicalOrder.H"
-#include "core/reconstruction/VolumeFractions.H"
+#include "core/base/Errors.H"
+#include "core/cells/CellWalk.H"
+#include "core/surface/SurfaceTopology.H"
+#include "core/cells/CellPlacement.H"
+#include "core/surface/InterfaceMotion.H"
+#include "core/cells/CanonicalOrder.H"
+#include "core/flow/VolumeFractions.H"
 
 #include <algorithm>
 #include <cmath>

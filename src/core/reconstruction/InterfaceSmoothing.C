@@ -2,8 +2,8 @@
 // Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/reconstruction/InterfaceSmoothing.H"
-#include "core/mesh/TaubinSmoothing.H"
-#include "core/reconstruction/InterfaceMotion.H"
+#include "core/surface/TaubinSmoothing.H"
+#include "core/surface/InterfaceMotion.H"
 #include "SubField.H"
 
 namespace Foam::stability

@@ -2,8 +2,8 @@
 // Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/reconstruction/MarchingTets.H"
-#include "core/reconstruction/CellPlacement.H"
-#include "core/reconstruction/VolumeFractions.H"
+#include "core/cells/CellPlacement.H"
+#include "core/flow/VolumeFractions.H"
 
 #include <utility>
 

@@ -3,8 +3,8 @@
 
 #include "core/reconstruction/NoiseFloor.H"
 
-#include "core/analysis/Quantiles.H"
-#include "core/mesh/SurfaceLocator.H"
+#include "core/ranks/Quantiles.H"
+#include "core/surface/SurfaceLocator.H"
 
 namespace Foam::stability
 {

@@ -2,9 +2,9 @@
 // Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/reconstruction/PlicPolygons.H"
-#include "core/reconstruction/CellPlacement.H"
+#include "core/cells/CellPlacement.H"
 #include "core/reconstruction/InterfaceOrder.H"
-#include "core/reconstruction/PlicFits.H"
+#include "core/reconstruction/sharpening/PlicFits.H"
 #include "DynamicList.H"
 
 #include <algorithm>

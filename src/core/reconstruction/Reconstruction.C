@@ -2,7 +2,7 @@
 // Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/reconstruction/Reconstruction.H"
-#include "core/Errors.H"
+#include "core/base/Errors.H"
 #include "core/reconstruction/BonnellDual.H"
 #include "core/reconstruction/GivenInterface.H"
 #include "core/reconstruction/InterfaceOrder.H"

@@ -3,8 +3,8 @@
 
 #include "foam/functionObject/StartChecks.H"
 
-#include "foam/CaseFields.H"
-#include "foam/Failures.H"
+#include "foam/case/CaseFields.H"
+#include "foam/errors/Failures.H"
 #include "fvMesh.H"
 
 #include <stdexcept>
@@ -25,7 +25,7 @@ const fvMesh& meshOf(const Time& runTime, const dictionary& dict)
     return *mesh;
 }
 
-void checkFields(const fvMesh& mesh, const Controls& controls, const dictionary& dict)
+void checkFields(const fvMesh& mesh, const CaseOptions& options, const dictionary& dict)
 {
     // Without any field the solver has not made them yet.
     if (mesh.names<volVectorField>().empty())
@@ -36,14 +36,14 @@ void checkFields(const fvMesh& mesh, const Controls& controls, const dictionary&
         [&]
         {
             const CaseFields fields(
-                mesh, controls.alpha, controls.U, FieldSource::solver
+                mesh, options.alpha, options.U, FieldSource::solver
             );
             const std::string missing = fields.missing();
             if (!missing.empty())
             {
                 throw std::runtime_error(missing);
             }
-            FaceFlux flux(mesh, controls.phi, controls.velocity, FieldSource::solver);
+            FaceFlux flux(mesh, options.phi, options.velocity, FieldSource::solver);
             flux.choose(instantList());
         }
     );

@@ -4,7 +4,7 @@
 #include "foam/functionObject/interfaceStability.H"
 
 #include "addToRunTimeSelectionTable.H"
-#include "foam/Failures.H"
+#include "foam/errors/Failures.H"
 #include "foam/functionObject/StartChecks.H"
 #include "fvMesh.H"
 #include "sigFpe.H"
@@ -37,7 +37,7 @@ interfaceStability::interfaceStability(
     publish(stability::Statistics());
     if (!postProcess)
     {
-        stability::checkFields(mesh_, controls_, dict);
+        stability::checkFields(mesh_, controls_.fields, dict);
     }
     if (stability::beginsNow(time_, dict))
     {

@@ -3,8 +3,8 @@
 
 #include "foam/ranks/CyclicPatches.H"
 
-#include "core/Errors.H"
-#include "foam/Failures.H"
+#include "core/base/Errors.H"
+#include "foam/errors/Failures.H"
 #include "cyclicPolyPatch.H"
 #include "processorCyclicPolyPatch.H"
 #include "syncTools.H"

@@ -3,7 +3,7 @@
 
 #include "foam/ranks/OnAll.H"
 
-#include "foam/Failures.H"
+#include "foam/errors/Failures.H"
 
 namespace Foam::stability
 {

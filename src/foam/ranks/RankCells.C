@@ -3,9 +3,9 @@
 
 #include "foam/ranks/RankCells.H"
 
-#include "core/flow/HomeNumbers.H"
-#include "core/ranks/RingFetch.H"
-#include "foam/Failures.H"
+#include "core/cells/HomeNumbers.H"
+#include "core/cells/RingFetch.H"
+#include "foam/errors/Failures.H"
 #include "emptyPolyPatch.H"
 #include "globalMeshData.H"
 #include "processorPolyPatch.H"

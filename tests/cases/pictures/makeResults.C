@@ -8,7 +8,7 @@
 
 #include "vtk/VtpWriter.H"
 
-#include "core/painting/ParameterTexture.H"
+#include "core/results/ParameterTexture.H"
 
 #include <cfenv>
 #include <cmath>

@@ -46,7 +46,7 @@ Usage
 
 #include "argList.H"
 #include "foam/AnalysisSession.H"
-#include "foam/Failures.H"
+#include "foam/errors/Failures.H"
 #include "foam/MethodComparison.H"
 #include "functionObject.H"
 #include "fvMesh.H"

@@ -4,7 +4,7 @@
 #include "MethodsPlot.H"
 
 #include "Table.H"
-#include "core/FileReplacement.H"
+#include "core/base/FileReplacement.H"
 
 #include <vtkAxis.h>
 #include <vtkChartLegend.h>

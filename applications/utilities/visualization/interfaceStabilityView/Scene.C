@@ -9,7 +9,7 @@
 #include "Surface.H"
 #include "Surroundings.H"
 
-#include "core/FileReplacement.H"
+#include "core/base/FileReplacement.H"
 
 #include <vtkImageData.h>
 #include <vtkImageShrink3D.h>

@@ -2,7 +2,7 @@
 // Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/flow/FlowSnapshot.H"
-#include "core/Errors.H"
+#include "core/base/Errors.H"
 #include "shapes/BoxMesh.H"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 
 #include "core/flow/FluxVelocity.H"
 
-#include "core/Errors.H"
+#include "core/base/Errors.H"
 #include "shapes/PolyMeshes.H"
 #include "tensor.H"
 

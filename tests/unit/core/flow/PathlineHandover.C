@@ -4,7 +4,7 @@
 // A pathline that is handed over between pieces of a mesh, also within a step, ends
 // where it ends on the whole mesh, to the last bit.
 
-#include "core/flow/CellBlock.H"
+#include "core/cells/CellBlock.H"
 #include "core/flow/PathlineIntegrator.H"
 #include "core/flow/PointVelocity.H"
 #include "core/flow/VelocityInterval.H"

@@ -3,7 +3,7 @@
 
 #include "core/flow/VelocityInterval.H"
 
-#include "core/Errors.H"
+#include "core/base/Errors.H"
 #include "shapes/AnalyticFlows.H"
 #include "shapes/BoxMesh.H"
 

@@ -3,7 +3,7 @@
 
 #include "core/parametrization/Chart.H"
 
-#include "core/Errors.H"
+#include "core/base/Errors.H"
 #include "shapes/ChartOverlap.H"
 #include "shapes/Surfaces.H"
 #include "DynamicList.H"

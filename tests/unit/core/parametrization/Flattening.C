@@ -3,7 +3,7 @@
 
 #include "core/parametrization/Flattening.H"
 
-#include "core/Errors.H"
+#include "core/base/Errors.H"
 #include "core/parametrization/DiskCut.H"
 #include "shapes/ChartOverlap.H"
 #include "shapes/RaggedSurface.H"

@@ -4,7 +4,7 @@
 #include "core/parametrization/ChartPacking.H"
 #include "core/parametrization/Parametrization.H"
 
-#include "core/Errors.H"
+#include "core/base/Errors.H"
 #include "core/parametrization/SurfaceShape.H"
 #include "shapes/ChartOverlap.H"
 #include "shapes/RaggedSurface.H"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of interfaceStability, an extension of OpenFOAM.
 
-#include "core/Errors.H"
+#include "core/base/Errors.H"
 #include "core/parametrization/Parametrization.H"
 #include "shapes/Surfaces.H"
 #include "shapes/ThreadRanks.H"

@@ -3,7 +3,7 @@
 
 #include "core/parametrization/SeamStraightening.H"
 
-#include "core/mesh/SurfaceLocator.H"
+#include "core/surface/SurfaceLocator.H"
 #include "shapes/Surfaces.H"
 
 #include <gtest/gtest.h>

@@ -2,8 +2,8 @@
 // Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/reconstruction/GivenInterface.H"
-#include "core/Errors.H"
-#include "core/reconstruction/CellPlacement.H"
+#include "core/base/Errors.H"
+#include "core/cells/CellPlacement.H"
 #include "shapes/ExactAlpha.H"
 #include "shapes/PolyMeshes.H"
 

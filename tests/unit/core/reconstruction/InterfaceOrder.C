@@ -5,9 +5,9 @@
 // last bit, with enough rings of cells around them.
 
 #include "core/reconstruction/InterfaceOrder.H"
-#include "core/tracking/SurfacePiece.H"
+#include "core/surface/pieces/SurfacePiece.H"
 
-#include "core/flow/CellBlock.H"
+#include "core/cells/CellBlock.H"
 #include "core/reconstruction/Reconstruction.H"
 #include "shapes/ExactAlpha.H"
 #include "shapes/PolyMeshes.H"

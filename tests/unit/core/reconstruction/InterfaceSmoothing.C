@@ -2,7 +2,7 @@
 // Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/reconstruction/InterfaceSmoothing.H"
-#include "core/reconstruction/CellPlacement.H"
+#include "core/cells/CellPlacement.H"
 #include "core/reconstruction/IsoAlpha.H"
 #include "shapes/ExactAlpha.H"
 #include "shapes/PolyMeshes.H"

@@ -2,8 +2,8 @@
 // Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/reconstruction/PlicPolygons.H"
-#include "core/Errors.H"
-#include "core/mesh/SurfaceTopology.H"
+#include "core/base/Errors.H"
+#include "core/surface/SurfaceTopology.H"
 #include "shapes/ExactAlpha.H"
 #include "shapes/PolyMeshes.H"
 

@@ -4,7 +4,7 @@
 // What every method owes on every mesh. Accuracy is tested method by method.
 
 #include "core/reconstruction/Reconstruction.H"
-#include "core/Errors.H"
+#include "core/base/Errors.H"
 #include "shapes/ExactAlpha.H"
 #include "shapes/PolyMeshes.H"
 #include "shapes/SurfaceChecks.H"

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "core/advection/InstabilityParticles.H"
+
+#include "core/flow/Travel.H"
+#include "core/surface/pieces/KeyOrder.H"
+
+#include <algorithm>
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+// p of any corner of the triangles around each point; (-1, -1) where none has one.
+List<vector2D> pointParameters(const InterfaceMesh& mesh)
+{
+    List<vector2D> result(mesh.points.size(), vector2D(-1, -1));
+    forAll(mesh.triangles, trianglei)
+    {
+        for (label k = 0; k < 3; ++k)
+        {
+            const label parameteri = mesh.corners[trianglei][k];
+            if (parameteri != InterfaceMesh::noParameter)
+            {
+                result[mesh.triangles[trianglei][k]] = mesh.parameters[parameteri];
+            }
+        }
+    }
+    return result;
+}
+
+// p in the centre: the mean of the corners, or that of the first corner that has one.
+vector2D centreParameter(const InterfaceMesh& mesh, label trianglei)
+{
+    vector2D sum(0, 0);
+    vector2D first(-1, -1);
+    label n = 0;
+    for (const label parameteri : mesh.corners[trianglei])
+    {
+        if (parameteri != InterfaceMesh::noParameter)
+        {
+            first = n == 0 ? mesh.parameters[parameteri] : first;
+            sum += mesh.parameters[parameteri];
+            ++n;
+        }
+    }
+    return n == 3 ? sum / 3 : first;
+}
+
+// A particle that is still to find its cell.
+struct Seed
+{
+    InstabilityParticle particle;
+    bool near = false; // the cell that its hint names is only near
+};
+
+Pathline& pathOf(Seed& seed)
+{
+    return seed.particle.path;
+}
+
+// What of a rank's part of T has detached, in the order of the surface.
+class Seeding
+{
+public:
+    Seeding(const ClassifiedSurface& surface, const SurfaceHalo& halo)
+        : surface_(surface), mesh_(surface.mesh), halo_(halo)
+    {
+        addPoints();
+        addTriangles();
+    }
+
+    DynamicList<Seed> points, triangles;
+    DynamicList<TriangleKey> pointKeys, triangleKeys;
+
+private:
+    bool detached(label pointi) const
+    {
+        return surface_.stability[pointi] == Stability::detached;
+    }
+
+    // By first triangles, which are own for the points that count here.
+    void addPoints()
+    {
+        const List<vector2D> parameters(pointParameters(mesh_));
+        List<bool> met(mesh_.points.size(), false);
+        forAll(mesh_.triangles, trianglei)
+        {
+            for (label k = 0; k < 3; ++k)
+            {
+                const label pointi = mesh_.triangles[trianglei][k];
+                if (met[pointi] || !surface_.counted[pointi] || !detached(pointi))
+                {
+                    continue;
+                }
+                met[pointi] = true;
+                Seed seed;
+                InstabilityParticle& particle = seed.particle;
+                particle.path.x = mesh_.points[pointi];
+                particle.path.hint.cell = mesh_.cells[pointi];
+                particle.parameter = parameters[pointi];
+                particle.origin = mesh_.origins[pointi];
+                particle.component = surface_.components[pointi];
+                particle.weight = 0.5 * surface_.areas[pointi];
+                points.append(seed);
+                TriangleKey key(halo_.piece().keys[trianglei]);
+                key.place = 3 * key.place + k;
+                pointKeys.append(key);
+            }
+        }
+    }
+
+    void addTriangles()
+    {
+        forAll(mesh_.triangles, trianglei)
+        {
+            const triFace& t = mesh_.triangles[trianglei];
+            if (!halo_.isOwn(trianglei)
+                || !(detached(t[0]) || detached(t[1]) || detached(t[2])))
+            {
+                continue;
+            }
+            Seed seed;
+            seed.near = true;
+            InstabilityParticle& particle = seed.particle;
+            particle.path.x = mesh_.centre(trianglei);
+            particle.path.hint.cell = mesh_.cells[t[0]];
+            particle.parameter = centreParameter(mesh_, trianglei);
+            particle.origin =
+                (mesh_.origins[t[0]] + mesh_.origins[t[1]] + mesh_.origins[t[2]]) / 3;
+            particle.component = surface_.components[t[0]];
+            particle.weight = 0.5 * mag(mesh_.areaVector(trianglei));
+            triangles.append(seed);
+            triangleKeys.append(halo_.piece().keys[trianglei]);
+        }
+    }
+
+    const ClassifiedSurface& surface_;
+    const InterfaceMesh& mesh_;
+    const SurfaceHalo& halo_;
+};
+
+} // namespace
+
+void InstabilityParticles::seed(
+    const ClassifiedSurface& timeSurface, const SurfaceHalo& halo,
+    const CellComplex& complex, scalar time, const Exchange& exchange
+)
+{
+    Seeding seeding(timeSurface, halo);
+    DynamicList<Seed> seeds;
+    const auto number = [&](const UList<TriangleKey>& keys, DynamicList<Seed>& some)
+    {
+        const labelList places(placesInOrder(keys, exchange));
+        forAll(some, i)
+        {
+            some[i].particle.path.id = nextId_ + places[i];
+            if (some[i].particle.path.id < maxParticles_)
+            {
+                seeds.append(some[i]);
+            }
+        }
+        const label n = exchange.total(some.size());
+        const label room = std::max(maxParticles_ - nextId_, label(0));
+        nSkipped_ += std::max(n - room, label(0));
+        nextId_ += std::min(n, room);
+    };
+    number(seeding.pointKeys, seeding.points);
+    number(seeding.triangleKeys, seeding.triangles);
+
+    disperse(seeds, complex, exchange);
+    together(
+        exchange,
+        [&]
+        {
+            for (Seed& seed : seeds)
+            {
+                label& celli = pathOf(seed).hint.cell;
+                const point& x = pathOf(seed).x;
+                if (seed.near && !(celli >= 0 && complex.holds(celli, x)))
+                {
+                    celli = complex.findCell(x);
+                }
+            }
+        }
+    );
+    leaveImages(seeds, complex, exchange);
+    together(
+        exchange,
+        [&]
+        {
+            for (Seed& seed : seeds)
+            {
+                InstabilityParticle& particle = seed.particle;
+                const label celli = particle.path.hint.cell;
+                const point& x = particle.path.x;
+                particle.path.time = time;
+                particle.detachmentTime = time;
+                particle.detachmentPosition = x;
+                particle.nearWall = celli >= 0 && complex.nearWall(celli);
+                particles_.append(particle);
+            }
+        }
+    );
+}
+
+IntegrationCounts InstabilityParticles::advance(
+    const Velocity& velocity, const IntegrationOptions& options,
+    const CellComplex& complex, const Exchange& exchange
+)
+{
+    return travel(particles_, velocity, options, complex, exchange);
+}
+
+List<InstabilityParticle> InstabilityParticles::gathered(const Exchange& exchange) const
+{
+    DynamicList<InstabilityParticle> all(exchange.joinedOnMaster(here()));
+    std::sort(
+        all.begin(), all.end(),
+        [](const InstabilityParticle& a, const InstabilityParticle& b)
+        { return a.path.id < b.path.id; }
+    );
+    return List<InstabilityParticle>(std::move(all));
+}
+
+} // namespace Foam::stability

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "core/cells/RingFetch.H"
+
+#include "core/cells/CellPackets.H"
+
+#include "Map.H"
+#include "boundBox.H"
+
+#include <algorithm>
+#include <set>
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+// One ring after the other.
+class RingFetch
+{
+public:
+    RingFetch(
+        const CellComplexInput& own, const PeriodicImages* images,
+        const Exchange& exchange
+    )
+        : own_(own), images_(images), exchange_(exchange),
+          cellFaces_(facesOfCells(own)), sent_(exchange.nRanks())
+    {
+        findPointCells();
+        Packet mine;
+        mine.put(boundBox(own.points, false));
+        mine.putList(labelList(imagesOfPoints()));
+        std::set<label> passages;
+        for (Packet& packet : exchange.toAll(mine))
+        {
+            boxes_.push_back(packet.get<boundBox>());
+            boxes_.back().inflate(1e-6);
+            for (const label image : packet.getList<label>())
+            {
+                passages.insert(image);
+            }
+        }
+        passages_.assign(passages.begin(), passages.end());
+        known_.insert(own.globalCells);
+    }
+
+    std::vector<CellBlock> run(label nRings)
+    {
+        blocks_.push_back(blockOf(own_, cellFaces_, identity(own_.globalCells.size())));
+        std::size_t first = 0;
+        for (label ring = 0; ring < nRings; ++ring)
+        {
+            const std::size_t n = blocks_.size();
+            ask(first);
+            first = n;
+        }
+        return std::move(blocks_);
+    }
+
+private:
+    // The own points of one point at home, and which of its images they are.
+    using Places = DynamicList<labelPair, 4>;
+
+    label realPoint(label point) const
+    {
+        return images_ ? images_->realPoint(point) : point;
+    }
+    label imageOfPoint(label point) const
+    {
+        return images_ ? images_->imageOfPoint(point) : 0;
+    }
+
+    void findPointCells()
+    {
+        forAll(own_.globalPoints, pointi)
+        {
+            const label point = own_.globalPoints[pointi];
+            localPoints_(realPoint(point))
+                .append(labelPair(pointi, imageOfPoint(point)));
+        }
+        pointCells_ = Rows(
+            own_.points.size(),
+            [&](const auto& add)
+            {
+                labelList last(own_.points.size(), -1);
+                for (label celli = 0; celli < cellFaces_.size(); ++celli)
+                {
+                    for (const label facei : cellFaces_[celli])
+                    {
+                        for (const label pointi : own_.faces[facei])
+                        {
+                            if (last[pointi] != celli)
+                            {
+                                last[pointi] = celli;
+                                add(pointi, celli);
+                            }
+                        }
+                    }
+                }
+            }
+        );
+    }
+
+    // Those that occur among the own points: a few.
+    labelList imagesOfPoints() const
+    {
+        labelHashSet found;
+        for (const label point : own_.globalPoints)
+        {
+            found.insert(imageOfPoint(point));
+        }
+        return found.sortedToc();
+    }
+
+    // May the rank have a point that bears the same number at home?
+    bool mayHave(label ranki, const point& home) const
+    {
+        return std::any_of(
+            passages_.begin(), passages_.end(),
+            [&](label image) {
+                return boxes_[ranki].contains(
+                    images_ ? images_->motion(image)(home) : home
+                );
+            }
+        );
+    }
+
+    // For the cells at the points of faces behind which nothing is known, in the blocks
+    // from this one on.
+    void ask(std::size_t first)
+    {
+        Map<point> homes;
+        for (std::size_t i = first; i < blocks_.size(); ++i)
+        {
+            addRim(blocks_[i], homes);
+        }
+        std::vector<DynamicList<label>> questions(exchange_.nRanks());
+        for (const label pointi : homes.sortedToc())
+        {
+            for (label ranki = 0; ranki < exchange_.nRanks(); ++ranki)
+            {
+                if ((images_ || ranki != exchange_.rank())
+                    && mayHave(ranki, homes[pointi]))
+                {
+                    questions[ranki].append(pointi);
+                }
+            }
+        }
+        answer(exchange_.exchangeLists(questions));
+    }
+
+    void addRim(const CellBlock& block, Map<point>& homes) const
+    {
+        Map<label> places(2 * block.pointIds.size());
+        forAll(block.pointIds, i)
+        {
+            places.insert(block.pointIds[i], i);
+        }
+        const pointField& at = images_ ? block.homes : block.points;
+        forAll(block.faces, k)
+        {
+            if (block.behind[k] >= 0 && !known_.found(block.behind[k]))
+            {
+                for (const label pointi : block.faces[k])
+                {
+                    homes.insert(pointi, at[places[pointi]]);
+                }
+            }
+        }
+    }
+
+    void answer(const std::vector<List<label>>& questions)
+    {
+        std::vector<Packet> answers(exchange_.nRanks());
+        for (label ranki = 0; ranki < exchange_.nRanks(); ++ranki)
+        {
+            std::map<label, DynamicList<label>> cells; // by their image
+            for (const label pointi : questions[ranki])
+            {
+                addCells(pointi, ranki, cells);
+            }
+            if (!cells.empty())
+            {
+                answers[ranki].put(label(cells.size()));
+            }
+            for (const auto& [image, some] : cells)
+            {
+                const CellBlock block(blockOf(own_, cellFaces_, some));
+                pack(image ? moved(block, image, *images_) : block, answers[ranki]);
+            }
+        }
+        for (Packet& packet : exchange_.exchange(std::move(answers)))
+        {
+            const label n = packet.empty() ? 0 : packet.get<label>();
+            for (label i = 0; i < n; ++i)
+            {
+                blocks_.push_back(unpacked(packet));
+                known_.insert(blocks_.back().cells);
+            }
+        }
+    }
+
+    // The images of own cells around a point that were not sent yet.
+    void addCells(label point, label ranki, std::map<label, DynamicList<label>>& cells)
+    {
+        const auto found = localPoints_.cfind(realPoint(point));
+        if (!found.found())
+        {
+            return;
+        }
+        for (const labelPair& place : found.val())
+        {
+            const label pointi = place.first();
+            for (const label image : imagesAt(point, pointi, place.second()))
+            {
+                for (const label celli : pointCells_[pointi])
+                {
+                    if ((image || ranki != exchange_.rank())
+                        && sent_[ranki].insert({celli, image}).second)
+                    {
+                        cells[image].append(celli);
+                    }
+                }
+            }
+        }
+    }
+
+    // The images of the mesh in which the own point, image `own` of its home, is the
+    // wanted one.
+    labelList imagesAt(label wanted, label pointi, label own) const
+    {
+        if (!images_)
+        {
+            return {0};
+        }
+        labelList result;
+        for (const label at : images_->equals(imageOfPoint(wanted), own_.homes[pointi]))
+        {
+            result.append(images_->product(at, images_->inverse(own)));
+        }
+        return result;
+    }
+
+    const CellComplexInput& own_;
+    const PeriodicImages* images_;
+    const Exchange& exchange_;
+    Rows cellFaces_, pointCells_;
+    Map<Places> localPoints_;     // by the number at home
+    std::vector<label> passages_; // images of points that occur on the ranks
+    std::vector<std::set<std::pair<label, label>>> sent_; // cells and images
+    std::vector<boundBox> boxes_;
+    labelHashSet known_; // cells
+    std::vector<CellBlock> blocks_;
+};
+
+} // namespace
+
+std::vector<CellBlock> fetchRings(
+    const CellComplexInput& own, const PeriodicImages* images, const Exchange& exchange,
+    label nRings
+)
+{
+    return RingFetch(own, images, exchange).run(nRings);
+}
+
+} // namespace Foam::stability

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "core/comparison/Comparison.H"
+
+#include "core/ranks/ExactSum.H"
+#include "core/surface/InterfaceMotion.H"
+
+#include <algorithm>
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+using Setting = Comparison::Setting;
+
+// T's seams turn and end at places that are looked for on M within epsilon: what is
+// farther than this from the corners of a triangle of cell size h has no say in how it
+// is split [m].
+scalar reachOfSplit(const MatchingOptions& matching, scalar h)
+{
+    return h + 2 * matching.epsilon.at(h);
+}
+
+// How far from any point of these there is what a search from it finds, or what has a
+// say in what is found there; the same on all ranks [m].
+scalar
+searchReach(std::initializer_list<const SurfacePiece*> pieces, const Setting& setting)
+{
+    const MatchingOptions& matching = setting.matching;
+    scalar reach = VSMALL;
+    for (const SurfacePiece* piece : pieces)
+    {
+        for (const scalar h : piece->mesh.cellSizes)
+        {
+            reach = std::max(
+                reach, std::max(reachOfSplit(matching, h), matching.searchRadius * h)
+            );
+        }
+    }
+    return largest(reach, setting.exchange);
+}
+
+// What is nearer to a piece than this [m].
+void addAround(const SurfacePiece& piece, scalar distance, VoxelMask& mask)
+{
+    for (const point& x : piece.mesh.points)
+    {
+        mask.add(x, distance);
+    }
+}
+
+SurfaceHalo haloOf(const SurfacePiece& held, const VoxelMask& mask, const Setting& s)
+{
+    return SurfaceHalo(held, mask, s.exchange, s.whole().images.get());
+}
+
+VoxelMask voxelsFor(scalar reach)
+{
+    return VoxelMask(0.5 * reach);
+}
+
+// Of M what T's points find.
+SurfaceHalo interfaceHalo(
+    const SurfacePiece& interface, const SurfacePiece& timeSurface, scalar reach,
+    const Setting& setting
+)
+{
+    VoxelMask mask(voxelsFor(reach));
+    addAround(interface, reach, mask);
+    addAround(timeSurface, reach, mask);
+    return haloOf(interface, mask, setting);
+}
+
+// Of T what M's points find, and what is connected with it there.
+SurfaceHalo timeSurfaceHalo(
+    const SurfacePiece& interface, const SurfacePiece& timeSurface, scalar reach,
+    const Setting& setting
+)
+{
+    constexpr scalar connected = 1.7;
+    VoxelMask mask(voxelsFor(reach));
+    addAround(interface, connected * reach, mask);
+    addAround(timeSurface, reach, mask);
+    return haloOf(timeSurface, mask, setting);
+}
+
+// The own triangles of M and what has a say in how they are split.
+SurfacePiece nearOwn(
+    const SurfacePiece& held, const SurfaceHalo& halo, const MatchingOptions& options,
+    List<bool>& own
+)
+{
+    scalar distance = VSMALL;
+    for (const scalar h : held.mesh.cellSizes)
+    {
+        distance = std::max(distance, reachOfSplit(options, h));
+    }
+    VoxelMask mask(voxelsFor(distance));
+    addAround(held, distance, mask);
+    const InterfaceMesh& mesh = halo.mesh();
+    DynamicList<label> triangles;
+    DynamicList<bool> areOwn;
+    forAll(mesh.triangles, trianglei)
+    {
+        const bool isOwn = halo.isOwn(trianglei);
+        const triFace& t = mesh.triangles[trianglei];
+        if (isOwn
+            || (!held.mesh.empty() && mask.meets(boundBox(mesh.points, t, false))))
+        {
+            triangles.append(trianglei);
+            areOwn.append(isOwn);
+        }
+    }
+    own = areOwn;
+    return partOf(halo.piece(), triangles);
+}
+
+} // namespace
+
+Comparison::Comparison(
+    const Setting& setting, const SurfacePiece& interface,
+    const TimeSurface& timeSurface
+)
+    : setting_(setting), held_(timeSurface),
+      reach_(searchReach({&interface, &timeSurface.piece()}, setting)),
+      interface_(interfaceHalo(interface, timeSurface.piece(), reach_, setting)),
+      timeSurface_(timeSurfaceHalo(interface, timeSurface.piece(), reach_, setting))
+{
+    together(
+        setting.exchange,
+        [&] { near_ = nearOwn(interface, interface_, setting.matching, own_); }
+    );
+}
+
+void Comparison::match()
+{
+    together(
+        setting_.exchange,
+        [&]
+        {
+            const MatchingOptions& options = setting_.matching;
+            target_.emplace(timeSurface_.mesh(), options);
+            onInterface_ = matchPoints(near_.mesh, *target_, options);
+            onTimeSurface_ = matchPoints(
+                timeSurface_.mesh(), MatchTarget(interface_.mesh(), options), options,
+                timeSurface_.held()
+            );
+        }
+    );
+}
+
+TransferResult Comparison::carryOver(const SpreadChart& chart)
+{
+    const Exchange& exchange = setting_.exchange;
+    DynamicList<point> unmatched;
+    forAll(onInterface_, pointi)
+    {
+        if (!onInterface_[pointi].stable)
+        {
+            unmatched.append(near_.mesh.points[pointi]);
+        }
+    }
+    const TransferSurroundings around{
+        chart.around(target_->mesh(), pointField(unmatched), exchange),
+        seamShape(
+            timeSurface_.piece(), target_->topology(), timeSurface_.ownTriangles(),
+            exchange
+        ),
+        own_};
+    split_ = near_.mesh;
+    useLocalCells(split_, setting_.complex());
+    TransferResult result;
+    together(
+        exchange,
+        [&]
+        {
+            result =
+                transfer(split_, onInterface_, *target_, setting_.transfer, around);
+            settleInCells(split_, setting_.complex(), near_.mesh.points.size()); // new
+        }
+    );
+    for (label* count :
+         {&result.nCrossing, &result.nUnresolved, &result.nSplit, &result.nMerged})
+    {
+        *count = exchange.total(*count);
+    }
+    parents_ = result.parents;
+    return result;
+}
+
+ClassifiedSurface Comparison::describeInterface(std::vector<Droplet>& droplets) const
+{
+    List<bool> nearWall(split_.points.size(), false);
+    forAll(nearWall, pointi)
+    {
+        const label celli = split_.cells[pointi];
+        nearWall[pointi] = celli >= 0 && setting_.complex().nearWall(celli);
+    }
+    ClassifiedSurface interface(stability::describe(
+        split_, onInterface_, Stability::attached, nearWall, setting_.interval
+    ));
+    InterfaceMesh mesh(split_);
+    useGlobalCells(mesh, setting_.complex());
+    const JoinedSurface own(ownParts(mesh, parents_, near_, own_));
+    select(interface, own.pointSources);
+    interface.order = own.piece;
+    interface.mesh = own.piece.mesh;
+
+    const SurfaceHalo halo(surroundings(own.piece, setting_));
+    const Components components(halo, setting_.apex(), setting_.exchange);
+    interface.areas = halo.ofHeld(halo.mesh().pointAreas());
+    interface.counted = halo.ofHeld(halo.counted());
+    interface.components = halo.ofHeld(components.ofPoints());
+    SmallScales scales(smallScales(
+        own.piece, halo, components, setting_.flow, setting_.matching.nThreads,
+        setting_.exchange
+    ));
+    interface.thin = halo.ofHeld(scales.thin);
+    interface.subGrid = halo.ofHeld(scales.subGrid);
+    droplets = std::move(scales.droplets);
+    return interface;
+}
+
+ClassifiedSurface Comparison::describeTimeSurface() const
+{
+    return stability::describe(held_, timeSurface_, onTimeSurface_, setting_);
+}
+
+SurfaceHalo surroundings(const SurfacePiece& held, const Setting& setting)
+{
+    const scalar reach = searchReach({&held}, setting);
+    VoxelMask mask(voxelsFor(reach));
+    addAround(held, reach, mask);
+    return haloOf(held, mask, setting);
+}
+
+ClassifiedSurface describe(
+    const TimeSurface& timeSurface, const SurfaceHalo& halo, const List<Match>& matches,
+    const Setting& setting
+)
+{
+    const TimeSurface::Marks& marks = timeSurface.marks();
+    ClassifiedSurface surface(describe(
+        halo.mesh(), matches, Stability::detached, halo.onPiece(marks.nearWall),
+        setting.interval
+    ));
+    surface.counted = halo.onPiece(marks.counted);
+    surface.thin = halo.onPiece(marks.thin);
+    surface.subGrid = halo.onPiece(marks.subGrid);
+    const List<bool> left(halo.onPiece(timeSurface.left()));
+    forAll(left, pointi)
+    {
+        if (left[pointi])
+        {
+            surface.stability[pointi] = Stability::left;
+        }
+    }
+    surface.components = Components(halo, setting.apex(), setting.exchange).ofPoints();
+    return surface;
+}
+
+ClassifiedSurface ofHeld(
+    const ClassifiedSurface& onPiece, const SurfaceHalo& halo,
+    const TimeSurface& timeSurface
+)
+{
+    ClassifiedSurface surface(onPiece);
+    select(surface, halo.places());
+    surface.mesh = timeSurface.piece().mesh;
+    surface.order = timeSurface.piece();
+    return surface;
+}
+
+} // namespace Foam::stability

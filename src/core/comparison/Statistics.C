@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "core/comparison/Statistics.H"
+
+#include "core/ranks/Quantiles.H"
+#include "core/ranks/ExactSum.H"
+
+#include <algorithm>
+#include <sstream>
+
+namespace Foam::stability
+{
+
+std::vector<std::string> Statistics::columns()
+{
+    return {
+        "Time",
+        "vertices",
+        "triangles",
+        "area",
+        "stableArea",
+        "attachedArea",
+        "detachedNearWalls",
+        "detachedElsewhere",
+        "leftArea",
+        "stableFraction",
+        "coverage",
+        "particles",
+        "mergedTriangles",
+        "splitTriangles",
+        "volumeError",
+        "epsilon",
+        "displacement",
+        "epsilonPerInterval",
+        "driftSpeed50",
+        "driftSpeed90",
+        "driftSpeed99",
+        "noiseFloor",
+        "detachedThin",
+        "detachedResolved",
+    };
+}
+
+std::vector<scalar> Statistics::values() const
+{
+    return {
+        time,
+        scalar(nVertices),
+        scalar(nTriangles),
+        area,
+        stableArea,
+        attachedArea,
+        detachedNearWall,
+        detachedElsewhere,
+        leftArea,
+        stableFraction(),
+        coverage(),
+        scalar(nParticles),
+        scalar(nMerged),
+        scalar(nSplit),
+        volumeError,
+        epsilon,
+        displacement,
+        drift(),
+        driftSpeeds[0],
+        driftSpeeds[1],
+        driftSpeeds[2],
+        noiseFloor,
+        detachedThin,
+        detachedResolved,
+    };
+}
+
+std::vector<std::string> Statistics::survivalColumns()
+{
+    std::vector<std::string> names{"Time"};
+    for (const std::string side : {"detached", "attached"})
+    {
+        for (const scalar distance : survivalDistances)
+        {
+            std::ostringstream name;
+            name << side << "(" << distance << ")";
+            names.push_back(name.str());
+        }
+    }
+    return names;
+}
+
+std::vector<scalar> Statistics::survivalValues() const
+{
+    std::vector<scalar> result{time};
+    result.insert(result.end(), detachedFraction.begin(), detachedFraction.end());
+    result.insert(result.end(), attachedFraction.begin(), attachedFraction.end());
+    return result;
+}
+
+namespace
+{
+
+// Sums over the points and triangles of all ranks.
+class Sums
+{
+public:
+    // Adds to what `target` will be.
+    void add(scalar& target, scalar value) { partOf(target).add(value); }
+
+    // Collective: all ranks have added to the same targets, in the same order.
+    void finish(const Exchange& exchange)
+    {
+        sum(sums_, exchange);
+        forAll(sums_, i)
+        {
+            *targets_[i] = sums_[i].value();
+        }
+    }
+
+    // Declares a target, so that it is there on every rank.
+    void declare(scalar& target)
+    {
+        targets_.push_back(&target);
+        sums_.append(ExactSum());
+    }
+
+private:
+    ExactSum& partOf(scalar& target)
+    {
+        const auto at = std::find(targets_.begin(), targets_.end(), &target);
+        return sums_[label(at - targets_.begin())];
+    }
+
+    std::vector<scalar*> targets_;
+    DynamicList<ExactSum> sums_;
+};
+
+// Of counted points, else zero.
+scalarField countedAreas(const ClassifiedSurface& surface)
+{
+    scalarField areas(surface.areas);
+    forAll(areas, pointi)
+    {
+        areas[pointi] = surface.counted[pointi] ? areas[pointi] : 0;
+    }
+    return areas;
+}
+
+// Fractions of the area of the points farther than each distance, in cells.
+void fillSurvival(
+    std::array<scalar, 8>& fractions, const ClassifiedSurface& surface,
+    const scalarField& areas, scalar total, const Exchange& exchange
+)
+{
+    List<ExactSum> sums(label(fractions.size()));
+    forAll(areas, pointi)
+    {
+        const scalar cells =
+            surface.distance[pointi] / max(surface.mesh.cellSizes[pointi], VSMALL);
+        for (size_t i = 0; i < fractions.size(); ++i)
+        {
+            // A distance that was cut off at so many cells counts, round-off or not.
+            const scalar limit = Statistics::survivalDistances[i] * (1 - 1e-12);
+            if (cells >= limit && areas[pointi] > 0)
+            {
+                sums[i].add(areas[pointi]);
+            }
+        }
+    }
+    sum(sums, exchange);
+    for (size_t i = 0; i < fractions.size(); ++i)
+    {
+        fractions[i] = total > 0 ? sums[i].value() / total : 0;
+    }
+}
+
+void surveyInterface(
+    Statistics& statistics, const ClassifiedSurface& interface, const Epsilon& epsilon,
+    const scalarField& areas, const Exchange& exchange
+)
+{
+    const InterfaceMesh& mesh = interface.mesh;
+    scalar nVertices = 0, nTriangles = 0, epsilonArea = 0, cellsArea = 0;
+    Sums sums;
+    for (scalar* target :
+         {&statistics.area, &statistics.stableArea, &statistics.attachedArea,
+          &statistics.parametrizedArea, &nVertices, &nTriangles, &epsilonArea,
+          &cellsArea})
+    {
+        sums.declare(*target);
+    }
+    forAll(areas, pointi)
+    {
+        const bool stable = interface.stability[pointi] == Stability::stable;
+        sums.add(
+            stable ? statistics.stableArea : statistics.attachedArea, areas[pointi]
+        );
+        const scalar h = mesh.cellSizes[pointi];
+        sums.add(epsilonArea, epsilon.at(h) * areas[pointi]);
+        sums.add(cellsArea, epsilon.at(h) / max(h, VSMALL) * areas[pointi]);
+        sums.add(nVertices, interface.counted[pointi] ? 1 : 0);
+    }
+    forAll(mesh.triangles, trianglei)
+    {
+        const scalar area = mag(mesh.areaVector(trianglei));
+        sums.add(statistics.area, area);
+        sums.add(statistics.parametrizedArea, mesh.parametrized(trianglei) ? area : 0);
+        sums.add(nTriangles, 1);
+    }
+    sums.finish(exchange);
+    statistics.nVertices = label(nVertices);
+    statistics.nTriangles = label(nTriangles);
+    if (statistics.area > 0)
+    {
+        statistics.epsilon = epsilonArea / statistics.area;
+        statistics.epsilonCells = cellsArea / statistics.area;
+    }
+}
+
+// `areas`: what left is zero there on return.
+void surveyTimeSurface(
+    Statistics& statistics, const ClassifiedSurface& surface, scalarField& areas,
+    const Exchange& exchange
+)
+{
+    Sums sums;
+    for (scalar* target :
+         {&statistics.timeSurfaceArea, &statistics.leftArea,
+          &statistics.detachedNearWall, &statistics.detachedElsewhere,
+          &statistics.detachedThin, &statistics.detachedResolved})
+    {
+        sums.declare(*target);
+    }
+    forAll(areas, pointi)
+    {
+        scalar& area = areas[pointi];
+        if (surface.stability[pointi] == Stability::left)
+        {
+            sums.add(statistics.leftArea, area);
+            area = 0;
+        }
+        sums.add(statistics.timeSurfaceArea, area);
+        if (surface.stability[pointi] != Stability::detached)
+        {
+            continue;
+        }
+        if (surface.nearWall[pointi])
+        {
+            sums.add(statistics.detachedNearWall, area);
+            continue;
+        }
+        sums.add(statistics.detachedElsewhere, area);
+        const bool small = surface.thin[pointi] || surface.subGrid[pointi];
+        sums.add(small ? statistics.detachedThin : statistics.detachedResolved, area);
+    }
+    sums.finish(exchange);
+}
+
+// For each fraction (rising) of the area the least speed that it does not exceed.
+void fillDriftSpeeds(
+    std::array<scalar, 3>& speeds, const scalarField& driftSpeed,
+    const scalarField& areas, const Exchange& exchange
+)
+{
+    const auto found = weightedQuantiles(
+        mag(driftSpeed), areas,
+        {Statistics::driftFractions.begin(), Statistics::driftFractions.end()}, exchange
+    );
+    std::copy(found.begin(), found.end(), speeds.begin());
+}
+
+} // namespace
+
+void survey(
+    Statistics& statistics, const ClassifiedSurface& interface,
+    const ClassifiedSurface& timeSurface, const Epsilon& epsilon,
+    const Exchange& exchange
+)
+{
+    const scalarField areas(countedAreas(interface));
+    surveyInterface(statistics, interface, epsilon, areas, exchange);
+    fillSurvival(
+        statistics.attachedFraction, interface, areas, statistics.area, exchange
+    );
+    scalarField timeAreas(countedAreas(timeSurface));
+    surveyTimeSurface(statistics, timeSurface, timeAreas, exchange);
+    fillSurvival(
+        statistics.detachedFraction, timeSurface, timeAreas, statistics.timeSurfaceArea,
+        exchange
+    );
+    fillDriftSpeeds(
+        statistics.driftSpeeds, timeSurface.driftSpeed, timeAreas, exchange
+    );
+}
+
+void surveyDisplacement(
+    Statistics& statistics, const ClassifiedSurface& timeSurface,
+    const pointField& seeds, const Exchange& exchange
+)
+{
+    const InterfaceMesh& mesh = timeSurface.mesh;
+    const scalarField areas(countedAreas(timeSurface));
+    scalar squares = 0, total = 0, farthest = 0;
+    Sums sums;
+    sums.declare(squares);
+    sums.declare(total);
+    forAll(areas, pointi)
+    {
+        const scalar cells = mag(mesh.points[pointi] - seeds[pointi])
+                             / max(mesh.cellSizes[pointi], VSMALL);
+        sums.add(squares, areas[pointi] * sqr(cells));
+        sums.add(total, areas[pointi]);
+        farthest = max(farthest, cells);
+    }
+    sums.finish(exchange);
+    statistics.largestDisplacement = largest(farthest, exchange);
+    statistics.displacement = total > 0 ? std::sqrt(squares / total) : 0;
+}
+
+} // namespace Foam::stability

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "core/comparison/SubGridDroplets.H"
+
+#include "core/comparison/ThinSheets.H"
+#include "core/surface/SurfaceTopology.H"
+#include "core/flow/VolumeFractions.H"
+#include "boundBox.H"
+#include "mathematicalConstants.H"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+struct Moments
+{
+    scalar volume = 0;  // [m3]
+    vector first{Zero}; // [m4], the volume times its centroid
+};
+
+scalar radiusOf(scalar volume)
+{
+    return std::cbrt(3 * volume / (4 * constant::mathematical::pi));
+}
+
+// A closed piece of the surface.
+struct Piece
+{
+    bool closed = true;
+    std::vector<label> points;
+    Moments enclosed; // negative volume: a bubble
+    boundBox bounds;
+    scalar cellSize = 0; // [m], mean over the points
+
+    bool bubble() const { return enclosed.volume < 0; }
+};
+
+using Pieces = std::vector<Piece>; // per component
+
+// Tetrahedra from the first point of each piece, against round-off far from home.
+void addEnclosed(
+    const InterfaceMesh& mesh, const UList<label>& components, Pieces& pieces
+)
+{
+    for (const triFace& t : mesh.triangles)
+    {
+        Piece& piece = pieces[components[t[0]]];
+        const point& apex = mesh.points[piece.points[0]];
+        const point &a = mesh.points[t[0]], &b = mesh.points[t[1]],
+                    &c = mesh.points[t[2]];
+        const scalar volume = ((a - apex) & ((b - apex) ^ (c - apex))) / 6;
+        piece.enclosed.volume += volume;
+        piece.enclosed.first += volume * (apex + a + b + c) / 4;
+    }
+}
+
+Pieces piecesOf(const InterfaceMesh& mesh, const UList<label>& components)
+{
+    Pieces pieces;
+    label nPieces = 0;
+    for (const label component : components)
+    {
+        nPieces = std::max(nPieces, component + 1);
+    }
+    pieces.resize(nPieces);
+    std::vector<char> used(mesh.points.size(), 0);
+    for (const triFace& t : mesh.triangles)
+    {
+        used[t[0]] = used[t[1]] = used[t[2]] = 1;
+    }
+    forAll(components, pointi)
+    {
+        if (used[pointi])
+        {
+            Piece& piece = pieces[components[pointi]];
+            piece.points.push_back(pointi);
+            piece.bounds.add(mesh.points[pointi]);
+            piece.cellSize += mesh.cellSizes[pointi];
+        }
+    }
+    for (Piece& piece : pieces)
+    {
+        piece.cellSize /= std::max(piece.points.size(), std::size_t(1));
+    }
+    const SurfaceTopology topology(mesh.points.size(), mesh.triangles);
+    for (const SurfaceEdge& edge : topology.edges())
+    {
+        if (edge.nTriangles != 2)
+        {
+            pieces[components[edge.a]].closed = false;
+        }
+    }
+    addEnclosed(mesh, components, pieces);
+    return pieces;
+}
+
+class DropletSearch
+{
+public:
+    DropletSearch(
+        const Pieces& pieces, const InterfaceMesh& mesh, const UList<label>& components,
+        const FlowSnapshot& snapshot
+    )
+        : pieces_(pieces), mesh_(mesh), components_(components),
+          complex_(*snapshot.complex), snapshot_(snapshot)
+    {
+    }
+
+    std::vector<Droplet> run()
+    {
+        std::vector<Droplet> found;
+        for (std::size_t i = 0; i < pieces_.size(); ++i)
+        {
+            const Piece& piece = pieces_[i];
+            if (piece.closed && !piece.points.empty()
+                && mayBeSubGrid(piece.enclosed.volume, piece.cellSize))
+            {
+                const Droplet droplet = dropletOf(piece, label(i));
+                if (droplet.radius < thinnestResolved)
+                {
+                    found.push_back(droplet);
+                }
+            }
+        }
+        return found;
+    }
+
+private:
+    Droplet dropletOf(const Piece& piece, label component)
+    {
+        const std::optional<Moments> filled = fill(piece, component);
+        const Moments moments = filled ? *filled : piece.enclosed;
+        Droplet droplet;
+        droplet.component = component;
+        droplet.bubble = piece.bubble();
+        droplet.fromAlpha = bool(filled);
+        droplet.volume = mag(moments.volume);
+        droplet.radius = radiusOf(droplet.volume) / piece.cellSize;
+        droplet.centroid = mag(moments.volume) > 0 ? moments.first / moments.volume
+                                                   : piece.bounds.midpoint();
+        droplet.nPoints = label(piece.points.size());
+        return droplet;
+    }
+
+    // The share of the piece's material in a cell.
+    scalar share(const Piece& piece, label celli) const
+    {
+        return piece.bubble() ? 1 - fractions_->cells[celli] : fractions_->cells[celli];
+    }
+
+    // Once there is something to fill.
+    void prepareFill()
+    {
+        fractions_.emplace(snapshot_);
+        visits_.assign(complex_.nCells(), -1);
+        homes_.assign(complex_.nCells(), free);
+        forAll(mesh_.points, pointi)
+        {
+            if (mesh_.cells[pointi] < 0)
+            {
+                continue;
+            }
+            label& home = homes_[mesh_.cells[pointi]];
+            const label component = components_[pointi];
+            home = home == free || home == component ? component : shared;
+        }
+    }
+
+    // Nothing where the cells are not those of this piece alone.
+    std::optional<Moments> fill(const Piece& piece, label component)
+    {
+        constexpr scalar least = 1e-3, margin = 3; // [cells]
+        if (!fractions_)
+        {
+            prepareFill();
+        }
+        const vector wide = margin * piece.cellSize * vector(1, 1, 1);
+        const boundBox reach(piece.bounds.min() - wide, piece.bounds.max() + wide);
+        std::vector<label> front;
+        bool alone = true;
+        const auto visit = [&](label celli)
+        {
+            if (visits_[celli] != component && share(piece, celli) > least)
+            {
+                visits_[celli] = component;
+                front.push_back(celli);
+                const label home = homes_[celli];
+                alone = alone && (home == free || home == component)
+                        && reach.contains(complex_.cellCentres()[celli]);
+            }
+        };
+        for (const label pointi : piece.points)
+        {
+            if (mesh_.cells[pointi] >= 0)
+            {
+                visit(mesh_.cells[pointi]);
+            }
+        }
+        Moments sum;
+        for (std::size_t i = 0; alone && i < front.size(); ++i)
+        {
+            const label celli = front[i];
+            const scalar volume = share(piece, celli) * complex_.cellVolumes()[celli];
+            sum.volume += volume;
+            sum.first += volume * complex_.cellCentres()[celli];
+            for (const label facei : complex_.cellFaces()[celli])
+            {
+                if (facei < complex_.nInternalFaces())
+                {
+                    visit(complex_.owner()[facei]);
+                    visit(complex_.neighbour()[facei]);
+                }
+            }
+        }
+        return alone && sum.volume > 0 ? std::optional<Moments>(sum) : std::nullopt;
+    }
+
+    static constexpr label free = -1, shared = -2;
+
+    const Pieces& pieces_;
+    const InterfaceMesh& mesh_;
+    const UList<label>& components_;
+    const CellComplex& complex_;
+    const FlowSnapshot& snapshot_;
+    std::optional<VolumeFractions> fractions_;
+    std::vector<label> homes_;  // per cell: the component of its points
+    std::vector<label> visits_; // per cell: the component that came last
+};
+
+} // namespace
+
+bool mayBeSubGrid(scalar volume, scalar cellSize)
+{
+    constexpr scalar largest = 2 * thinnestResolved;
+    return radiusOf(mag(volume)) < largest * cellSize;
+}
+
+std::vector<std::string> Droplet::columns()
+{
+    return {"Time",      "component", "bubble",    "radius", "volume",
+            "centroidX", "centroidY", "centroidZ", "points", "fromAlpha"};
+}
+
+std::vector<scalar> Droplet::values(scalar time) const
+{
+    return {time,
+            scalar(component),
+            scalar(bubble),
+            radius,
+            volume,
+            centroid.x(),
+            centroid.y(),
+            centroid.z(),
+            scalar(nPoints),
+            scalar(fromAlpha)};
+}
+
+std::vector<Droplet> subGridDroplets(
+    const InterfaceMesh& mesh, const UList<label>& components,
+    const FlowSnapshot& snapshot
+)
+{
+    const Pieces pieces(piecesOf(mesh, components));
+    return DropletSearch(pieces, mesh, components, snapshot).run();
+}
+
+} // namespace Foam::stability

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "core/flow/VolumeFractions.H"
+#include "core/base/Errors.H"
+#include "symmTensor.H"
+#include "tensor.H"
+
+#include <cmath>
+#include <string>
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+scalarField clamped(const scalarField& alpha)
+{
+    scalarField result(alpha.size());
+    forAll(alpha, i)
+    {
+        result[i] = VolumeFractions::rounded(min(max(alpha[i], scalar(0)), scalar(1)));
+    }
+    return result;
+}
+
+// Least-squares gradient of alpha over the cells across the faces of a cell [1/m];
+// zero along a direction in which the cell has no neighbour.
+vector faceGradient(const CellComplex& complex, const scalarField& alpha, label celli)
+{
+    symmTensor matrix(Zero);
+    vector moment(Zero);
+    for (const label facei : complex.cellFaces()[celli])
+    {
+        if (facei < complex.nInternalFaces())
+        {
+            const label other = complex.owner()[facei] == celli
+                                    ? complex.neighbour()[facei]
+                                    : complex.owner()[facei];
+            const vector d =
+                (complex.cellCentres()[other] - complex.cellCentres()[celli])
+                / complex.cellSizes()[celli];
+            matrix += sqr(d);
+            moment += (alpha[other] - alpha[celli]) * d;
+        }
+    }
+    // A little of the unit matrix: a cell without neighbours along a direction.
+    matrix += 1e-6 * symmTensor(I);
+    return (inv(matrix) & moment) / complex.cellSizes()[celli];
+}
+
+// Where the solver says no more of the boundary than that alpha does not change
+// towards it, the value is extrapolated from the cells: an interface then meets a
+// wall at its own angle, and a film is there down to a third of a cell.
+scalarField extrapolated(
+    const CellComplex& complex, const scalarField& cells, const scalarField& boundary
+)
+{
+    constexpr scalar roundOff = 1e-9;
+    scalarField result(boundary);
+    forAll(boundary, i)
+    {
+        const label facei = complex.nInternalFaces() + i;
+        const label celli = complex.owner()[facei];
+        if (mag(boundary[i] - cells[celli]) < roundOff)
+        {
+            const vector d =
+                complex.faceCentres()[facei] - complex.cellCentres()[celli];
+            const scalar value =
+                cells[celli] + (faceGradient(complex, cells, celli) & d);
+            result[i] = VolumeFractions::rounded(min(max(value, scalar(0)), scalar(1)));
+        }
+    }
+    return result;
+}
+
+} // namespace
+
+VolumeFractions::VolumeFractions(const FlowSnapshot& snapshot)
+{
+    const label n = snapshot.alphas.size();
+    if (n < 1 || n > 2 || snapshot.boundaryAlphas.size() != n)
+    {
+        throw BadInput(
+            "The reconstruction of interfaces supports two materials, found "
+            + std::to_string(n) + " volume fractions."
+        );
+    }
+    cells = clamped(snapshot.alphas[0]);
+    boundaryFaces =
+        extrapolated(*snapshot.complex, cells, clamped(snapshot.boundaryAlphas[0]));
+
+    const scalarField& V = snapshot.complex->cellVolumes();
+    forAll(cells, celli)
+    {
+        volume += snapshot.complex->own(celli) ? cells[celli] * V[celli] : 0;
+    }
+}
+
+scalar VolumeFractions::rounded(scalar alpha)
+{
+    return std::round(alpha * 1e12) / 1e12; // 1/2 stays exact
+}
+
+} // namespace Foam::stability

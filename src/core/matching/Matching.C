@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "core/matching/Matching.H"
+
+#include <algorithm>
+#include <vector>
+
+namespace Foam::stability
+{
+
+// Boxes of about epsilon (paper 4.5); the locator sees to it that they are not
+// smaller than the triangles.
+MatchTarget::MatchTarget(const InterfaceMesh& mesh, const MatchingOptions& options)
+    : mesh_(mesh), options_(options), topology_(mesh.points.size(), mesh.triangles),
+      locator_(mesh.points, mesh.triangles, options.epsilon.at(mesh.meanCellSize())),
+      triangleNormals_(mesh.areaVectors())
+{
+}
+
+Match MatchTarget::nearest(const point& x, const vector& normal, scalar cellSize) const
+{
+    const scalar epsilon = options_.epsilon.at(cellSize);
+    const scalar radius = std::max(epsilon, options_.searchRadius * cellSize);
+
+    Match result;
+    result.nearest = locator_.closest(
+        x, radius, [&](label trianglei) { return admits(trianglei, normal); }
+    );
+    if (result.nearest.triangle < 0)
+    {
+        result.nearest.distance = radius;
+    }
+    else
+    {
+        result.stable = result.nearest.distance < epsilon; // paper 4.1
+    }
+    return result;
+}
+
+Match MatchTarget::match(const point& x, const vector& normal, scalar cellSize) const
+{
+    Match result = nearest(x, normal, cellSize);
+    countPreimages(result, x, normal, cellSize);
+    return result;
+}
+
+void MatchTarget::countPreimages(
+    Match& match, const point& x, const vector& normal, scalar cellSize
+) const
+{
+    match.nPreimages =
+        match.stable ? countPatches(x, normal, options_.epsilon.at(cellSize)) : 0;
+}
+
+void MatchTarget::admittedWithin(
+    const point& x, const vector& normal, scalar radius, DynamicList<label>& result
+) const
+{
+    locator_.candidates(x, radius, result);
+    label n = 0;
+    for (const label trianglei : result)
+    {
+        if (admits(trianglei, normal) && isWithin(trianglei, x, radius))
+        {
+            result[n++] = trianglei;
+        }
+    }
+    result.setSize(n);
+}
+
+// As closestOn(...).distance < radius, mostly without it.
+bool MatchTarget::isWithin(label trianglei, const point& x, scalar radius) const
+{
+    const triFace& t = mesh_.triangles[trianglei];
+    const point &a = mesh_.points[t[0]], &b = mesh_.points[t[1]],
+                &c = mesh_.points[t[2]];
+    for (const point* corner : {&a, &b, &c})
+    {
+        if (magSqr(*corner - x) < sqr(radius))
+        {
+            return true;
+        }
+    }
+    for (direction d = 0; d < 3; ++d)
+    {
+        const scalar low = std::min(a[d], std::min(b[d], c[d]));
+        const scalar high = std::max(a[d], std::max(b[d], c[d]));
+        if (low > x[d] + radius || high < x[d] - radius)
+        {
+            return false;
+        }
+    }
+    return locator_.closestOn(trianglei, x).distance < radius;
+}
+
+label MatchTarget::countPatches(const point& x, const vector& normal, scalar epsilon)
+    const
+{
+    static thread_local std::vector<label> near, front;
+    static thread_local std::vector<bool> waits; // per triangle: near, in no patch yet
+    near.clear();
+    waits.resize(std::max(waits.size(), std::size_t(mesh_.triangles.size())), false);
+    const vector halfWidth(epsilon, epsilon, epsilon);
+    locator_.visitWithin(
+        x - halfWidth, x + halfWidth,
+        [&](label trianglei)
+        {
+            if (admits(trianglei, normal) && isWithin(trianglei, x, epsilon))
+            {
+                near.push_back(trianglei);
+                waits[trianglei] = true;
+            }
+        }
+    );
+    label nPatches = 0;
+    for (const label start : near)
+    {
+        if (!waits[start])
+        {
+            continue;
+        }
+        ++nPatches;
+        waits[start] = false;
+        front.assign(1, start);
+        while (!front.empty())
+        {
+            const label trianglei = front.back();
+            front.pop_back();
+            for (const label edgei : topology_.triangleEdges()[trianglei])
+            {
+                for (const label other : topology_.edges()[edgei].triangles)
+                {
+                    if (other >= 0 && waits[other])
+                    {
+                        waits[other] = false;
+                        front.push_back(other);
+                    }
+                }
+            }
+        }
+    }
+    return nPatches;
+}
+
+List<Match> matchPoints(
+    const InterfaceMesh& mesh, const MatchTarget& target,
+    const MatchingOptions& options, const UList<bool>& wanted
+)
+{
+    const vectorField normals = mesh.pointNormals();
+    List<Match> matches(mesh.points.size());
+#pragma omp parallel for schedule(dynamic, 64) num_threads(options.nThreads)
+    for (label pointi = 0; pointi < mesh.points.size(); ++pointi)
+    {
+        if (wanted.empty() || wanted[pointi])
+        {
+            matches[pointi] = target.match(
+                mesh.points[pointi], normals[pointi], mesh.cellSizes[pointi]
+            );
+        }
+    }
+    return matches;
+}
+
+} // namespace Foam::stability

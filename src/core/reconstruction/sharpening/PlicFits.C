@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "core/reconstruction/sharpening/NormalEquations.H"
+
+#include "core/cells/CellStencil.H"
+#include "core/reconstruction/sharpening/PlicFits.H"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+// What is nearer to 0 or 1 is round-off of the solver.
+constexpr scalar trace = 1e-6;
+
+bool isMixed(scalar alpha)
+{
+    return alpha > trace && alpha < 1 - trace;
+}
+
+class Fitter
+{
+public:
+    Fitter(const CellComplex& complex, const scalarField& alpha, label nThreads)
+        : complex_(complex), alpha_(alpha), nThreads_(nThreads)
+    {
+    }
+
+    PlicFits run()
+    {
+        findCells();
+        findJumps();
+        listByCell();
+        placeAll();
+        fitAll();
+        placeAll();
+        fitAll();
+        for (label i = 0; i < result_.nCells; ++i)
+        {
+            result_.nFailed += !result_.planes[i].converged;
+        }
+        return std::move(result_);
+    }
+
+private:
+    // A mixed cell counts where it is well mixed or a neighbour is on the other side:
+    // whatever else has a trace of both is a wisp.
+    bool carriesInterface(CellStencil& stencil, label celli) const
+    {
+        const scalar alpha = alpha_[celli];
+        constexpr scalar wellMixed = 0.1;
+        if (std::min(alpha, 1 - alpha) > wellMixed)
+        {
+            return true;
+        }
+        const UList<label>& around = stencil.rings(celli, 1);
+        return std::any_of(
+            around.begin(), around.end(),
+            [&](label other) {
+                return VolumeFractions::inside(alpha_[other])
+                       != VolumeFractions::inside(alpha);
+            }
+        );
+    }
+
+    void findCells()
+    {
+        CellStencil stencil(complex_);
+        for (const label celli : cellsWhere(alpha_, isMixed))
+        {
+            if (carriesInterface(stencil, celli))
+            {
+                InterfaceFit fit;
+                fit.cell = celli;
+                fit.size = spanOf(complex_, celli);
+                const vector g =
+                    gradientOver(complex_, stencil.rings(celli, 1), alpha_, fit.size);
+                constexpr scalar roundOff = 1e-9; // of a gradient that is none
+                const scalar length = mag(g);
+                fit.normal =
+                    length * fit.size > roundOff ? vector(g / length) : vector(Zero);
+                result_.fits.append(fit);
+                result_.planes.append(PlicPlane());
+            }
+        }
+        result_.nCells = result_.fits.size();
+    }
+
+    // Where the fraction jumps from 1 to 0 across a face, as at every start from
+    // setFields, the interface is the face.
+    void findJumps()
+    {
+        for (label facei = 0; facei < complex_.nInternalFaces(); ++facei)
+        {
+            const label owner = complex_.owner()[facei];
+            const scalar a = alpha_[owner], b = alpha_[complex_.neighbour()[facei]];
+            if (std::max(a, b) < 1 - trace || std::min(a, b) > trace)
+            {
+                continue;
+            }
+            const vector S = a > b ? -complex_.faceAreas()[facei]
+                                   : vector(complex_.faceAreas()[facei]);
+            PlicPlane plane;
+            plane.area = mag(S);
+            plane.normal = S / std::max(plane.area, scalar(VSMALL));
+            plane.centre = complex_.faceCentres()[facei];
+            plane.secondMoment = momentOf(facei, plane);
+            plane.converged = true;
+            InterfaceFit fit;
+            fit.cell = owner;
+            fit.size = spanOf(complex_, owner);
+            fit.setPlane(plane.centre, plane.normal);
+            fit.weight = plane.area / sqr(fit.size);
+            result_.fits.append(fit);
+            result_.planes.append(plane);
+        }
+    }
+
+    symmTensor momentOf(label facei, const PlicPlane& plane) const
+    {
+        const face& f = complex_.faces()[facei];
+        symmTensor moment(Zero);
+        scalar area = 0;
+        forAll(f, k)
+        {
+            const vector a = complex_.points()[f[k]] - plane.centre;
+            const vector b = complex_.points()[f.nextLabel(k)] - plane.centre;
+            const scalar part = 0.5 * mag(a ^ b);
+            moment += part / 12 * (sqr(a) + sqr(b) + sqr(a + b));
+            area += part;
+        }
+        return moment / std::max(area, scalar(VSMALL));
+    }
+
+    void listByCell()
+    {
+        byCell_ = Rows(
+            complex_.nCells(),
+            [&](auto&& add)
+            {
+                forAll(result_.fits, i)
+                {
+                    add(result_.fits[i].cell, i);
+                }
+            }
+        );
+    }
+
+    void placeAll()
+    {
+#pragma omp parallel for schedule(dynamic, 64) num_threads(nThreads_)
+        for (label i = 0; i < result_.nCells; ++i)
+        {
+            place(result_.fits[i], result_.planes[i]);
+        }
+    }
+
+    void place(InterfaceFit& fit, PlicPlane& plane) const
+    {
+        const scalar alpha = alpha_[fit.cell];
+        const vector normal =
+            fit.normal - fit.a[1] * fit.t1 - fit.a[2] * fit.t2; // of the fit, if any
+        if (!(mag(normal) > 0.5))
+        {
+            fit.weight = 0; // nothing tells where the interface points
+            plane = PlicPlane();
+            return;
+        }
+        plane = CellShape(complex_, fit.cell).planeOf(normal / mag(normal), alpha);
+        const point centre =
+            plane.converged ? plane.centre : complex_.cellCentres()[fit.cell];
+        fit.setPlane(centre, plane.normal);
+        fit.weight = plane.converged
+                         ? sqr(4 * alpha * (1 - alpha)) * plane.area / sqr(fit.size)
+                         : 0;
+    }
+
+    void fitAll()
+    {
+        List<InterfaceFit> fitted(result_.fits);
+#pragma omp parallel num_threads(nThreads_)
+        {
+            CellStencil stencil(complex_);
+#pragma omp for schedule(dynamic, 64)
+            for (label i = 0; i < fitted.size(); ++i)
+            {
+                fit(stencil, fitted[i]);
+            }
+        }
+        forAll(fitted, i)
+        {
+            result_.fits[i] = fitted[i];
+        }
+    }
+
+    // One ring of neighbours leaves the curvature across a wall undetermined.
+    void fit(CellStencil& stencil, InterfaceFit& own) const
+    {
+        constexpr scalar sigma = 1.5; // in sizes
+        if (!(own.weight > 0))
+        {
+            return;
+        }
+        NormalEquations<6> equations;
+        const label nRings = touchesBoundary(complex_, own.cell) ? 2 : 1;
+        for (const label celli : stencil.rings(own.cell, nRings))
+        {
+            for (const label i : byCell_[celli])
+            {
+                const PlicPlane& plane = result_.planes[i];
+                const scalar weight = result_.fits[i].weight;
+                if (weight > 0 && (plane.normal & own.normal) > smallestAlignment)
+                {
+                    const vector x = own.local(plane.centre);
+                    const scalar size2 = sqr(own.size);
+                    NormalEquations<6>::Vector row;
+                    row << 1, x.x(), x.y(),
+                        sqr(x.x()) + (own.t1 & plane.secondMoment & own.t1) / size2,
+                        x.x() * x.y() + (own.t1 & plane.secondMoment & own.t2) / size2,
+                        sqr(x.y()) + (own.t2 & plane.secondMoment & own.t2) / size2;
+                    equations.add(
+                        row, x.z(), weight * std::exp(-magSqr(x) / sqr(sigma))
+                    );
+                }
+            }
+        }
+        take(equations, own);
+    }
+
+    // Where neighbours do not tell, the plane stays.
+    static void take(const NormalEquations<6>& equations, InterfaceFit& own)
+    {
+        constexpr int fewest = 5;
+        constexpr scalar linear = 1e-5, quadratic = 1e-4;
+        constexpr scalar farthest = 0.3, steepest = 1;
+        NormalEquations<6>::Vector x;
+        if (equations.nRows() >= fewest && equations.solve<6>(2, linear, quadratic, x)
+            && std::abs(x[0]) <= farthest && std::hypot(x[1], x[2]) <= steepest
+            && x.tail<3>().cwiseAbs().maxCoeff() <= largestCurvature)
+        {
+            std::copy(x.data(), x.data() + 6, own.a.begin());
+        }
+    }
+
+    const CellComplex& complex_;
+    const scalarField& alpha_;
+    label nThreads_;
+    PlicFits result_;
+    Rows byCell_;
+};
+
+} // namespace
+
+PlicFits
+fitPlic(const CellComplex& complex, const VolumeFractions& fractions, label nThreads)
+{
+    return Fitter(complex, fractions.cells, nThreads).run();
+}
+
+} // namespace Foam::stability

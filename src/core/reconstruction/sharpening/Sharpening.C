@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "core/reconstruction/sharpening/Sharpening.H"
+
+#include "core/surface/SurfaceTopology.H"
+#include "core/cells/CellStencil.H"
+#include "core/surface/InterfaceMotion.H"
+#include "core/reconstruction/sharpening/PlicFits.H"
+#include "core/reconstruction/sharpening/PointSharpener.H"
+#include "core/reconstruction/sharpening/ProfileFits.H"
+
+#include <algorithm>
+#include <optional>
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+// How far fits have a say, in their sizes.
+constexpr scalar reachInHexahedra = 2;
+constexpr scalar reachElsewhere = 1.6;
+
+bool allHexahedra(const CellComplex& complex, const UList<InterfaceFit>& fits)
+{
+    return std::all_of(
+        fits.begin(), fits.end(),
+        [&](const InterfaceFit& fit)
+        { return complex.cellFaces()[fit.cell].size() == 6; }
+    );
+}
+
+class Sharpener
+{
+public:
+    Sharpener(
+        const InterfaceMesh& mesh, const CellComplex& complex,
+        const VolumeFractions& fractions, Sharpening kind, label nThreads
+    )
+        : mesh_(mesh), complex_(complex), fractions_(fractions), kind_(kind),
+          nThreads_(nThreads), starts_(mesh.points.size()), moves_(mesh.points.size())
+    {
+    }
+
+    SharpeningResult run(InterfaceMesh& mesh)
+    {
+        findStarts();
+        fit();
+        untangle();
+        holdFlips();
+        vectorField moves(moves_.size());
+        result_.spread.setSize(moves_.size());
+        scalar shares = 0;
+        forAll(moves, pointi)
+        {
+            const Move& move = moves_[pointi];
+            const bool moved = move.nSteps > 0;
+            moves[pointi] = move.total;
+            result_.spread[pointi] = moved ? move.spread / starts_[pointi].size : -1;
+            result_.nRejected += !moved;
+            shares += move.share;
+        }
+        result_.profileShare = shares / moves.size();
+        result_.volume = moveInterface(mesh, complex_, moves);
+        return std::move(result_);
+    }
+
+private:
+    using Start = PointSharpener::Start;
+    using Move = PointSharpener::Move;
+
+    void findStarts()
+    {
+        const vectorField normals = mesh_.pointNormals();
+#pragma omp parallel for schedule(static) num_threads(nThreads_)
+        for (label pointi = 0; pointi < mesh_.points.size(); ++pointi)
+        {
+            starts_[pointi] = {
+                mesh_.points[pointi], -normals[pointi],
+                spanOf(complex_, mesh_.cells[pointi]), wallsAt(pointi)};
+            moves_[pointi].direction = -normals[pointi];
+        }
+    }
+
+    // The normals of the boundary faces that the point lies on, made orthogonal.
+    std::vector<vector> wallsAt(label pointi) const
+    {
+        std::vector<vector> walls;
+        if (mesh_.boundaryFaces[pointi] < 0)
+        {
+            return walls;
+        }
+        constexpr scalar onPlane = 1e-6, another = 1e-3;
+        const point& x = mesh_.points[pointi];
+        const Surroundings around(complex_, mesh_.cells[pointi]);
+        for (const label facei : around.boundaryFaces)
+        {
+            const vector& S = complex_.faceAreas()[facei];
+            vector n = S / std::max(mag(S), scalar(VSMALL));
+            if (mag((x - complex_.faceCentres()[facei]) & n)
+                > onPlane * mesh_.cellSizes[pointi])
+            {
+                continue;
+            }
+            for (const vector& w : walls)
+            {
+                n -= (n & w) * w;
+            }
+            if (mag(n) > another)
+            {
+                walls.push_back(n / mag(n));
+            }
+        }
+        return walls;
+    }
+
+    // Profiles are fitted only where there is a point at which plic is in doubt.
+    void fit()
+    {
+        if (kind_ != Sharpening::profile)
+        {
+            plic_ = fitPlic(complex_, fractions_, nThreads_);
+            const bool regular = allHexahedra(complex_, plic_.fits);
+            plicBlend_.emplace(plic_.fits, regular ? reachInHexahedra : reachElsewhere);
+        }
+        const PointSharpener plicAlone(plicBlend_ ? &*plicBlend_ : nullptr, nullptr);
+        const label n = starts_.size();
+        std::vector<BlendedDistance> first(n);
+        label nDoubtful = 0;
+#pragma omp parallel for schedule(dynamic, 64) num_threads(nThreads_) \
+    reduction(+ : nDoubtful)
+        for (label pointi = 0; pointi < n; ++pointi)
+        {
+            first[pointi] = plicAlone.plicAt(starts_[pointi]);
+            nDoubtful += !PointSharpener::isSharp(first[pointi], starts_[pointi].size);
+        }
+        if (kind_ != Sharpening::plic && nDoubtful > 0)
+        {
+            profile_ = fitProfiles(complex_, fractions_, nThreads_, ringsOfFits());
+            profileBlend_.emplace(profile_.fits, reachInHexahedra);
+        }
+        result_.nFits = plic_.fits.size() + profile_.fits.size();
+        result_.nFailed = plic_.nFailed + profile_.nFailed;
+
+        const PointSharpener both(sharpener());
+#pragma omp parallel for schedule(dynamic, 64) num_threads(nThreads_)
+        for (label pointi = 0; pointi < n; ++pointi)
+        {
+            if (starts_[pointi].normal != vector(Zero))
+            {
+                const Move move = both.move(starts_[pointi], first[pointi]);
+                moves_[pointi] = move.nSteps > 0 ? move : moves_[pointi];
+            }
+        }
+    }
+
+    // Fits have a say up to five or six cells from their own: there are all for the
+    // points of this rank's triangles and those around, but not for the outermost.
+    label ringsOfFits() const
+    {
+        constexpr label reach = 3;
+        label farthest = 0;
+        for (const label celli : mesh_.triangleCells)
+        {
+            farthest = std::max(farthest, complex_.ring(celli));
+        }
+        return farthest + reach;
+    }
+
+    PointSharpener sharpener() const
+    {
+        return PointSharpener(
+            plicBlend_ ? &*plicBlend_ : nullptr,
+            profileBlend_ ? &*profileBlend_ : nullptr
+        );
+    }
+
+    // Twice the area vector when the points have gone this share of their way.
+    vector areaAt(const triFace& t, scalar share) const
+    {
+        const auto x = [&](label k) -> point
+        { return mesh_.points[t[k]] + share * moves_[t[k]].total; };
+        return (x(1) - x(0)) ^ (x(2) - x(0));
+    }
+
+    // Triangles face the second material, gradients the first.
+    vector facing(const triFace& t) const
+    {
+        return -(
+            moves_[t[0]].direction + moves_[t[1]].direction + moves_[t[2]].direction
+        );
+    }
+
+    // Where tetrahedra folded triangles over each other, their points are spread along
+    // the surface.
+    void untangle()
+    {
+        constexpr label maxSweeps = 10;
+        Rows pointTriangles;
+        for (label sweep = 0; sweep < maxSweeps; ++sweep)
+        {
+            std::vector<char> folded(moves_.size(), 0);
+            bool any = false;
+            for (const triFace& t : mesh_.triangles)
+            {
+                if ((areaAt(t, 1) & facing(t)) <= 0)
+                {
+                    any = true;
+                    folded[t[0]] = folded[t[1]] = folded[t[2]] = 1;
+                }
+            }
+            if (!any)
+            {
+                return;
+            }
+            if (sweep == 0)
+            {
+                pointTriangles =
+                    trianglesAtPoints(mesh_.points.size(), mesh_.triangles);
+            }
+            spread(folded, pointTriangles);
+        }
+    }
+
+    // To the middle of the neighbours, along the surface, all at once.
+    void spread(const std::vector<char>& folded, const Rows& pointTriangles)
+    {
+        constexpr scalar longest = 0.5; // in sizes
+        const PointSharpener both(sharpener());
+        std::vector<Move> moved(moves_.begin(), moves_.end());
+        forAll(moves_, pointi)
+        {
+            const Start& start = starts_[pointi];
+            const Move& old = moves_[pointi];
+            if (!folded[pointi] || mesh_.boundaryFaces[pointi] >= 0 || old.nSteps == 0)
+            {
+                continue;
+            }
+            vector mean(Zero);
+            label n = 0;
+            for (const label trianglei : pointTriangles[pointi])
+            {
+                for (const label otheri : mesh_.triangles[trianglei])
+                {
+                    mean += starts_[otheri].x + moves_[otheri].total - start.x;
+                    ++n;
+                }
+            }
+            const vector d = mean / n - old.total;
+            const vector g = old.direction / mag(old.direction);
+            Move& move = moved[pointi];
+            move.total += d - (d & g) * g;
+            move.total += both.pull(start, move);
+            if (mag(move.total) > longest * start.size)
+            {
+                move = old;
+            }
+        }
+        std::copy(moved.begin(), moved.end(), moves_.begin());
+    }
+
+    // Halves the moves around a triangle that they flip, then drops them.
+    void holdFlips()
+    {
+        std::vector<char> held(moves_.size(), 0);
+        for (bool any = true; any;)
+        {
+            std::vector<char> flipped(moves_.size(), 0);
+            for (const triFace& t : mesh_.triangles)
+            {
+                const vector n = facing(t);
+                if ((areaAt(t, 1) & n) <= 0 && (areaAt(t, 0) & n) > 0)
+                {
+                    flipped[t[0]] = flipped[t[1]] = flipped[t[2]] = 1;
+                }
+            }
+            any = false;
+            forAll(moves_, pointi)
+            {
+                if (flipped[pointi] && held[pointi] < 2)
+                {
+                    any = true;
+                    ++held[pointi];
+                    moves_[pointi].total *= held[pointi] == 1 ? 0.5 : 0;
+                }
+            }
+        }
+        result_.nHeld = held.size() - std::count(held.begin(), held.end(), 0);
+    }
+
+    const InterfaceMesh& mesh_;
+    const CellComplex& complex_;
+    const VolumeFractions& fractions_;
+    Sharpening kind_;
+    label nThreads_;
+    List<Start> starts_;
+    List<Move> moves_;
+    PlicFits plic_;
+    ProfileFits profile_;
+    std::optional<FitBlend> plicBlend_, profileBlend_;
+    SharpeningResult result_;
+};
+
+} // namespace
+
+const std::vector<std::string>& sharpeningNames()
+{
+    static const std::vector<std::string> names{"none", "plic", "profile", "auto"};
+    return names;
+}
+
+SharpeningResult sharpen(
+    InterfaceMesh& mesh, const CellComplex& complex, const VolumeFractions& fractions,
+    Sharpening kind, label nThreads
+)
+{
+    if (kind == Sharpening::none || mesh.empty())
+    {
+        return SharpeningResult();
+    }
+    return Sharpener(mesh, complex, fractions, kind, nThreads).run(mesh);
+}
+
+} // namespace Foam::stability

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "core/reconstruction/volumeFit/PieceCells.H"
+
+namespace Foam::stability
+{
+
+PieceCells::PieceCells(const InterfaceMesh& mesh, const CellComplex& complex)
+    : mesh_(mesh), complex_(complex), marks_(complex.nCells(), 0),
+      visits_(complex.nCells(), -1)
+{
+}
+
+const std::vector<label>& PieceCells::of(const ConnectedPiece& piece)
+{
+    ++piece_;
+    cells_.clear();
+    for (const label trianglei : piece.triangles)
+    {
+        addCellsOf(trianglei);
+    }
+    return cells_;
+}
+
+void PieceCells::addCellsOf(label trianglei)
+{
+    triangle_ = trianglei;
+    front_.clear();
+    boundBox box;
+    for (const label pointi : mesh_.triangles[trianglei])
+    {
+        box.add(mesh_.points[pointi]);
+        visit(mesh_.cells[pointi]);
+    }
+    for (std::size_t i = 0; i < front_.size(); ++i)
+    {
+        const label celli = front_[i];
+        if (boundsOf(complex_, celli).overlaps(box))
+        {
+            if (marks_[celli] != piece_)
+            {
+                marks_[celli] = piece_;
+                cells_.push_back(celli);
+            }
+            visitAround(celli);
+        }
+    }
+}
+
+void PieceCells::visit(label celli)
+{
+    if (visits_[celli] != triangle_)
+    {
+        visits_[celli] = triangle_;
+        front_.push_back(celli);
+    }
+}
+
+// The cells that share a point with this one.
+void PieceCells::visitAround(label celli)
+{
+    for (const label facei : complex_.cellFaces()[celli])
+    {
+        for (const label pointi : complex_.faces()[facei])
+        {
+            for (const label other : complex_.pointCells()[pointi])
+            {
+                visit(other);
+            }
+        }
+    }
+}
+
+} // namespace Foam::stability

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "core/results/ResultSurfaces.H"
+
+#include "core/parametrization/ChartPacking.H"
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+// Points split along seams: one output point for each pair (point, parameter) that
+// corners use. A point without triangles gets none.
+struct SplitPoints
+{
+    labelList vertex;        // per output point: the welded point
+    labelList parameter;     // per output point: index, or noParameter
+    List<triFace> triangles; // of output points
+};
+
+// A corner on the black swatch, and one without p, count as pairs of their own.
+constexpr label onSwatch = -2;
+
+SplitPoints split(const InterfaceMesh& mesh, const List<CornerIndices>& corners)
+{
+    SplitPoints result;
+    result.triangles = mesh.triangles;
+    DynamicList<label> vertex;
+    DynamicList<label> parameter;
+    // The pairs of a point form a chain: few points have more than one.
+    labelList first(mesh.points.size(), -1);
+    DynamicList<label> next;
+    forAll(mesh.triangles, trianglei)
+    {
+        for (label k = 0; k < 3; ++k)
+        {
+            const label pointi = mesh.triangles[trianglei][k];
+            label outi = first[pointi];
+            while (outi >= 0 && parameter[outi] != corners[trianglei][k])
+            {
+                outi = next[outi];
+            }
+            if (outi < 0)
+            {
+                outi = vertex.size();
+                vertex.append(pointi);
+                parameter.append(corners[trianglei][k]);
+                next.append(first[pointi]);
+                first[pointi] = outi;
+            }
+            result.triangles[trianglei][k] = outi;
+        }
+    }
+    result.vertex.transfer(vertex);
+    result.parameter.transfer(parameter);
+    return result;
+}
+
+vector2D valueOf(const InterfaceMesh& mesh, label parameteri)
+{
+    return parameteri >= 0 ? mesh.parameters[parameteri] : vector2D(-1, -1);
+}
+
+// Triangles with a corner that is attached or has no p lie wholly on the swatch
+// (algorithms: an interpolated sentinel would make a rainbow fringe).
+List<CornerIndices> displayCorners(const ClassifiedSurface& surface)
+{
+    List<CornerIndices> corners(surface.mesh.corners);
+    forAll(corners, trianglei)
+    {
+        bool tracked = surface.mesh.parametrized(trianglei);
+        for (const label pointi : surface.mesh.triangles[trianglei])
+        {
+            tracked = tracked && surface.stability[pointi] != Stability::attached;
+        }
+        if (!tracked)
+        {
+            // Unwelded from the tracked triangles around, yet p stays known.
+            for (label& corner : corners[trianglei])
+            {
+                corner = onSwatch - max(corner, label(-1)) - 1;
+            }
+        }
+    }
+    return corners;
+}
+
+// The parameter behind a display corner.
+label trueCorner(label corner)
+{
+    return corner <= onSwatch ? onSwatch - corner - 1 : corner;
+}
+
+template<class Value>
+PointArray scalars(
+    const std::string& name, bool integer, const labelList& vertex, const Value& value
+)
+{
+    PointArray array{name, 1, integer, {}};
+    array.values.reserve(vertex.size());
+    for (const label pointi : vertex)
+    {
+        array.values.push_back(scalar(value(pointi)));
+    }
+    return array;
+}
+
+PointArray
+vectors(const std::string& name, const labelList& vertex, const pointField& x)
+{
+    PointArray array{name, 3, false, {}};
+    for (const label pointi : vertex)
+    {
+        array.values.insert(
+            array.values.end(), {x[pointi].x(), x[pointi].y(), x[pointi].z()}
+        );
+    }
+    return array;
+}
+
+void append(PointArray& array, const vector2D& p)
+{
+    array.values.push_back(p.x());
+    array.values.push_back(p.y());
+}
+
+// What both surfaces have in common.
+ResultSurface surface(
+    const ClassifiedSurface& from, const SplitPoints& split, scalar time,
+    const labelList& numbers
+)
+{
+    ResultSurface result;
+    result.time = time;
+    result.triangles = split.triangles;
+    result.points.setSize(split.vertex.size());
+    PointArray parameter{"parameter", 2, false, {}};
+    forAll(split.vertex, i)
+    {
+        result.points[i] = from.mesh.points[split.vertex[i]];
+        append(parameter, valueOf(from.mesh, trueCorner(split.parameter[i])));
+    }
+    const labelList& vertex = split.vertex;
+    result.arrays = {
+        parameter,
+        scalars(
+            "vertex", true, vertex,
+            [&](label i) { return numbers.empty() ? i : numbers[i]; }
+        ),
+        scalars(
+            "stability", true, vertex, [&](label i) { return label(from.stability[i]); }
+        ),
+        scalars(
+            "cellSize", false, vertex, [&](label i) { return from.mesh.cellSizes[i]; }
+        ),
+        scalars("distance", false, vertex, [&](label i) { return from.distance[i]; }),
+        scalars(
+            "driftSpeed", false, vertex, [&](label i) { return from.driftSpeed[i]; }
+        ),
+        scalars(
+            "confidence", false, vertex, [&](label i) { return from.confidence[i]; }
+        ),
+        scalars("thin", true, vertex, [&](label i) { return label(from.thin[i]); }),
+        scalars(
+            "subGrid", true, vertex, [&](label i) { return label(from.subGrid[i]); }
+        ),
+    };
+    return result;
+}
+
+} // namespace
+
+ResultSurface
+interfaceSurface(const ClassifiedSurface& from, scalar time, const labelList& numbers)
+{
+    const SplitPoints points(split(from.mesh, displayCorners(from)));
+    ResultSurface result(surface(from, points, time, numbers));
+    const labelList& vertex = points.vertex;
+
+    PointArray texture{"TCoords", 2, false, {}};
+    for (const label corner : points.parameter)
+    {
+        append(
+            texture, corner >= 0 ? valueOf(from.mesh, corner) : BlackSwatch::middle()
+        );
+    }
+    result.arrays.insert(result.arrays.begin(), texture);
+    result.arrays.push_back(vectors("origin", vertex, from.mesh.origins));
+    result.arrays.push_back(scalars(
+        "preimageCount", true, vertex, [&](label i) { return from.preimages[i]; }
+    ));
+    result.arrays.push_back(
+        scalars("component", true, vertex, [&](label i) { return from.components[i]; })
+    );
+    return result;
+}
+
+ResultSurface
+timeSurface(const ClassifiedSurface& from, scalar time, const labelList& numbers)
+{
+    const SplitPoints points(split(from.mesh, from.mesh.corners));
+    ResultSurface result(surface(from, points, time, numbers));
+    result.arrays.push_back(scalars(
+        "nearWall", true, points.vertex,
+        [&](label i) { return label(from.nearWall[i]); }
+    ));
+    return result;
+}
+
+ResultSurface particleCloud(const UList<InstabilityParticle>& all, scalar time)
+{
+    ResultSurface result;
+    result.time = time;
+    labelList order(identity(all.size()));
+    result.points.setSize(all.size());
+    pointField origins(all.size());
+    pointField detachments(all.size());
+    PointArray parameter{"parameter", 2, false, {}};
+    forAll(all, i)
+    {
+        result.points[i] = all[i].path.x;
+        origins[i] = all[i].origin;
+        detachments[i] = all[i].detachmentPosition;
+        append(parameter, all[i].parameter);
+    }
+    const auto add = [&](const char* name, bool integer, const auto& value)
+    {
+        result.arrays.push_back(
+            scalars(name, integer, order, [&](label i) { return value(all[i]); })
+        );
+    };
+    using Particle = InstabilityParticle;
+    add("id", true, [](const Particle& p) { return p.path.id; });
+    add("detachmentTime", false, [](const Particle& p) { return p.detachmentTime; });
+    add("age", false, [&](const Particle& p) { return time - p.detachmentTime; });
+    add("component", true, [](const Particle& p) { return p.component; });
+    add("weight", false, [](const Particle& p) { return p.weight; });
+    add("nearWall", true, [](const Particle& p) { return label(p.nearWall); });
+    add("state", true, [](const Particle& p) { return label(p.path.state); });
+    result.arrays.push_back(parameter);
+    result.arrays.push_back(vectors("origin", order, origins));
+    result.arrays.push_back(vectors("detachmentPosition", order, detachments));
+    return result;
+}
+
+} // namespace Foam::stability

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "core/surface/pieces/Redistribution.H"
+
+namespace Foam::stability
+{
+
+JoinedSurface redistributed(
+    const SurfacePiece& held, const std::vector<DynamicList<label>>& trianglesOfRanks,
+    const Exchange& exchange
+)
+{
+    std::vector<Packet> packets(exchange.nRanks());
+    together(
+        exchange,
+        [&]
+        {
+            for (std::size_t ranki = 0; ranki < packets.size(); ++ranki)
+            {
+                if (!trianglesOfRanks[ranki].empty())
+                {
+                    pack(partOf(held, trianglesOfRanks[ranki]), packets[ranki]);
+                }
+            }
+        }
+    );
+    packets = exchange.exchange(std::move(packets));
+    JoinedSurface joined;
+    together(
+        exchange,
+        [&]
+        {
+            std::vector<SurfacePiece> parts;
+            for (Packet& packet : packets)
+            {
+                if (!packet.empty())
+                {
+                    parts.push_back(unpackedSurface(packet));
+                }
+            }
+            if (parts.empty())
+            {
+                parts.emplace_back();
+                parts[0].joined = held.joined;
+            }
+            joined = join(parts);
+        }
+    );
+    return joined;
+}
+
+} // namespace Foam::stability

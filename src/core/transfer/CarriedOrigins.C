@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "core/transfer/CarriedOrigins.H"
+
+namespace Foam::stability
+{
+
+CarriedOrigins::CarriedOrigins(const MatchTarget& target, const StartChart& chart)
+    : target_(target), timeSurface_(target.mesh()), chart_(chart),
+      interpolation_(
+          timeSurface_, timeSurface_.origins,
+          [&](label trianglei, label k) { return timeSurface_.triangles[trianglei][k]; }
+      )
+{
+}
+
+point CarriedOrigins::at(const Match& match, label source) const
+{
+    const SurfacePoint& x = match.nearest;
+    const bool elsewhere = source >= 0 && !timeSurface_.parametrized(x.triangle);
+    return elsewhere ? extrapolated(source, x.position)
+                     : onTriangle(x.triangle, x.weights);
+}
+
+point CarriedOrigins::onTriangle(label trianglei, const FixedList<scalar, 3>& weights)
+    const
+{
+    const triFace& t = timeSurface_.triangles[trianglei];
+    return interpolation_.at(trianglei, CornerIndices{t[0], t[1], t[2]}, weights);
+}
+
+point CarriedOrigins::extrapolated(label trianglei, const point& x) const
+{
+    const triFace& t = timeSurface_.triangles[trianglei];
+    const pointField& y = timeSurface_.points;
+    const SurfacePoint foot = closestPoint(x, y[t[0]], y[t[1]], y[t[2]]);
+    const point known = onTriangle(trianglei, foot.weights);
+    return shortened(
+        onTriangle(trianglei, planeWeights(x, y[t[0]], y[t[1]], y[t[2]])), known,
+        foot.distance, 1
+    );
+}
+
+// Where T has carried this origin: on the triangle near that comes closest to it.
+point CarriedOrigins::placeOf(const point& origin, const point& near, scalar radius)
+    const
+{
+    DynamicList<label> triangles;
+    target_.locator().candidates(near, radius, triangles);
+    SurfacePoint best;
+    point place(near);
+    for (const label trianglei : triangles)
+    {
+        const triFace& t = timeSurface_.triangles[trianglei];
+        const pointField &o = timeSurface_.origins, &x = timeSurface_.points;
+        const SurfacePoint foot = closestPoint(origin, o[t[0]], o[t[1]], o[t[2]]);
+        if (foot.distance < best.distance)
+        {
+            best = foot;
+            place = foot.weights[0] * x[t[0]] + foot.weights[1] * x[t[1]]
+                    + foot.weights[2] * x[t[2]];
+        }
+    }
+    return place;
+}
+
+List<SeamNode> CarriedOrigins::settled(const List<SeamNode>& nodes) const
+{
+    constexpr scalar reach = 0.3; // in cells
+    List<SeamNode> result(nodes);
+    for (SeamNode& node : result)
+    {
+        if (!node.isEnd || chart_.empty())
+        {
+            continue;
+        }
+        const scalar radius = reach * node.cellSize;
+        Match match;
+        match.nearest = target_.locator().closest(node.x, radius);
+        const SeamNode* end =
+            match.nearest.triangle >= 0
+                ? chart_.seamEndNear(at(match, match.nearest.triangle), radius)
+                : nullptr;
+        if (end)
+        {
+            node.x = placeOf(end->x, node.x, 2 * radius);
+        }
+    }
+    return result;
+}
+
+scalar CarriedOrigins::seamShare(
+    const SheetPoint& a, const SheetPoint& b, const SeamEvent& event,
+    const SeamBisection& bisection
+) const
+{
+    constexpr scalar reach = 0.1;  // in cells: a seam moves by less in one transfer
+    constexpr scalar delta = 1e-3; // in cells
+    const scalar length = mag(b.x - a.x);
+    if (chart_.empty() || event.gap || !(length > 0))
+    {
+        return event.at;
+    }
+    const auto isBefore = [&](scalar share)
+    {
+        const SheetPoint v = bisection.between(a, b, share);
+        return v.match.stable && v.sheet.valid()
+               && chart_.isNearer(
+                   at(v.match, v.sheet.anchor),
+                   bisection.parameterOnSide(v.x, event.before),
+                   bisection.parameterOnSide(v.x, event.after)
+               );
+    };
+    const scalar most = reach * a.cellSize / length;
+    scalar low = max(event.at - most, scalar(0)),
+           high = min(event.at + most, scalar(1));
+    if (!isBefore(low) || isBefore(high))
+    {
+        return event.at;
+    }
+    while ((high - low) * length > delta * a.cellSize)
+    {
+        const scalar middle = 0.5 * (low + high);
+        (isBefore(middle) ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+} // namespace Foam::stability

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "foam/case/CaseSnapshots.H"
+
+#include "core/base/Errors.H"
+#include "foam/ranks/OnAll.H"
+#include "fvMesh.H"
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+// Of other ranks' cells: what the points of own triangles depend on.
+label nRings(const TrackerOptions& tracker)
+{
+    // To extract alike two would do; droplets are looked at with six.
+    constexpr label toExtract = 6, toSharpen = 9;
+    const auto needed = [](const ReconstructionOptions& options)
+    {
+        return (options.sharpening == Sharpening::none ? toExtract : toSharpen)
+               + 2 * options.smooth; // each pair of steps looks twice at neighbours
+    };
+    label n = needed(tracker.reconstruction);
+    for (const ReconstructionFrom& later : tracker.later)
+    {
+        n = max(n, needed(later.reconstruction));
+    }
+    return n;
+}
+
+[[noreturn]] void refuse(const std::string& what)
+{
+    throw BadInput(
+        what
+        + " works in serial runs only so far: run the analysis on the "
+          "reconstructed case."
+    );
+}
+
+void refuseInParallel(const CaseOptions& options, const TrackerOptions& tracker)
+{
+    for (const FilesFrom& files : options.files)
+    {
+        if (!files.pattern.empty())
+        {
+            refuse("The reconstruction fromFiles");
+        }
+    }
+    const auto check = [](const ReconstructionOptions& reconstruction)
+    {
+        if (reconstruction.volumeFit != VolumeFit::none)
+        {
+            refuse("The entry 'volumeFit component'");
+        }
+    };
+    check(tracker.reconstruction);
+    for (const ReconstructionFrom& later : tracker.later)
+    {
+        check(later.reconstruction);
+    }
+}
+
+} // namespace
+
+CaseSnapshots::CaseSnapshots(
+    const fvMesh& mesh, const CaseOptions& options, const TrackerOptions& tracker,
+    FieldSource source, const RankMessages& messages
+)
+    : mesh_(mesh), messages_(messages),
+      fields_(madeOnAll(
+          messages, [&] { return CaseFields(mesh, options.alpha, options.U, source); }
+      )),
+      flux_(mesh, options.phi, options.velocity, source),
+      surfaces_(mesh.time(), options.files), cells_(mesh, messages, nRings(tracker))
+{
+    if (messages_.nRanks() > 1)
+    {
+        refuseInParallel(options, tracker);
+    }
+}
+
+void CaseSnapshots::require(const instantList& times)
+{
+    requireSame(times);
+    if (times.size() < 2)
+    {
+        throw BadInput(
+            "Times selected: " + std::to_string(times.size())
+            + "; the analysis compares consecutive times and needs at least two: check "
+              "the time options and the time folders of the case."
+        );
+    }
+    onAll(
+        messages_,
+        [&]
+        {
+            fields_.require(times);
+            flux_.choose(times);
+            surfaces_.require(times);
+        }
+    );
+}
+
+// A run that was killed may have left a time on some ranks only.
+void CaseSnapshots::requireSame(const instantList& times) const
+{
+    DynamicList<char> names;
+    for (const instant& time : times)
+    {
+        names.append(List<char>(time.name().begin(), time.name().end()));
+        names.append(' ');
+    }
+    Packet mine;
+    mine.putList(names);
+    const List<char> wanted(messages_.fromMaster(mine).getList<char>());
+    onAll(
+        messages_,
+        [&]
+        {
+            if (wanted != names)
+            {
+                throw BadInput(
+                    "The folders of the ranks do not have the same times: remove those "
+                    "that are not in all of processor0, processor1, ..."
+                );
+            }
+        }
+    );
+}
+
+// Where nobody said which times there will be: in a solver, or those on disk from now
+// on.
+void CaseSnapshots::chooseVelocity()
+{
+    const Time& runTime = mesh_.time();
+    DynamicList<instant> times;
+    if (!fields_.inMemory())
+    {
+        for (const instant& time : runTime.times())
+        {
+            const bool later =
+                time.name() != runTime.constant() && time.value() > runTime.value();
+            if (later || time.name() == runTime.timeName())
+            {
+                times.append(time);
+            }
+        }
+    }
+    flux_.choose(instantList(times));
+}
+
+std::shared_ptr<const FlowSnapshot> CaseSnapshots::take()
+{
+    std::shared_ptr<FlowSnapshot> snapshot(takeFields());
+    const instant now(mesh_.time().value(), mesh_.time().timeName());
+    if (surfaces_.expected(now))
+    {
+        snapshot->surface = surfaces_.read(now, nTaken_);
+    }
+    ++nTaken_;
+    return snapshot;
+}
+
+std::shared_ptr<FlowSnapshot> CaseSnapshots::takeFields()
+{
+    std::optional<tmp<volScalarField>> alpha;
+    std::optional<tmp<volVectorField>> U;
+    std::optional<tmp<surfaceScalarField>> phi;
+    onAll(
+        messages_,
+        [&]
+        {
+            const std::string missing = fields_.missing();
+            if (!missing.empty())
+            {
+                throw BadInput(missing);
+            }
+            alpha.emplace(fields_.alpha());
+            U.emplace(fields_.U());
+            if (!flux_.chosen())
+            {
+                chooseVelocity();
+            }
+            if (flux_.applies())
+            {
+                phi.emplace(flux_.get());
+            }
+        }
+    );
+    return cells_.take((*alpha)(), (*U)(), time(), phi ? &(*phi)() : nullptr);
+}
+
+} // namespace Foam::stability

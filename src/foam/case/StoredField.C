@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "foam/case/StoredField.H"
+
+#include "core/base/Errors.H"
+#include "foam/errors/Failures.H"
+#include "OSspecific.H"
+#include "Time.H"
+#include "fvMesh.H"
+#include "sigFpe.H"
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+// While it lives, OpenFOAM prints neither progress nor warnings.
+class Silence
+{
+public:
+    Silence() : level_(messageStream::level) { messageStream::level = 0; }
+    ~Silence() { messageStream::level = level_; }
+    Silence(const Silence&) = delete;
+    Silence& operator=(const Silence&) = delete;
+
+private:
+    int level_;
+};
+
+} // namespace
+
+template<class FieldType>
+IOobject StoredField<FieldType>::at(const word& timeName) const
+{
+    return IOobject(
+        name_, timeName, mesh_, IOobject::MUST_READ, IOobject::NO_WRITE, false
+    );
+}
+
+template<class FieldType>
+bool StoredField<FieldType>::inMemory() const
+{
+    return source_ == FieldSource::solver && mesh_.foundObject<FieldType>(name_);
+}
+
+template<class FieldType>
+bool StoredField<FieldType>::onDisk(const word& timeName) const
+{
+    return isFile(at(timeName).objectPath());
+}
+
+template<class FieldType>
+std::string StoredField<FieldType>::complaint(const word& timeName) const
+{
+    const regIOobject* registered =
+        source_ == FieldSource::solver ? mesh_.findObject<regIOobject>(name_) : nullptr;
+    if (registered)
+    {
+        return isA<FieldType>(*registered)
+                   ? ""
+                   : "Field " + name_ + " is a " + registered->type() + "; needed is a "
+                         + FieldType::typeName + ".";
+    }
+
+    IOobject io(at(timeName));
+    const std::string file = mesh_.time().relativePath(io.objectPath());
+    if (!isFile(io.objectPath()))
+    {
+        return "There is no field " + name_ + " at time " + timeName + " (no file "
+               + file + ").";
+    }
+    bool legible = false;
+    {
+        const Silence silence;
+        legible = io.typeHeaderOk<FieldType>(false, true, false);
+    }
+    if (!legible)
+    {
+        return "File " + file + " has no legible header.";
+    }
+    return io.headerClassName() == FieldType::typeName
+               ? ""
+               : "File " + file + " holds a " + io.headerClassName() + "; needed is a "
+                     + FieldType::typeName + ".";
+}
+
+template<class FieldType>
+tmp<FieldType> StoredField<FieldType>::get() const
+{
+    return inMemory() ? tmp<FieldType>(mesh_.lookupObject<FieldType>(name_))
+                      : read(mesh_.time().timeName());
+}
+
+template<class FieldType>
+tmp<FieldType> StoredField<FieldType>::read(const word& timeName) const
+{
+    const ThrowingErrors throwing;
+    // Patch fields may compute on values that are not finite; that is told later.
+    const sigFpe::ignore untrapped;
+    try
+    {
+        return tmp<FieldType>(new FieldType(at(timeName), mesh_));
+    }
+    catch (const std::exception& failure)
+    {
+        throw BadInput(
+            "Field " + name_ + " of time " + timeName
+            + " cannot be read: " + describe(failure)
+        );
+    }
+}
+
+template class StoredField<volScalarField>;
+template class StoredField<volVectorField>;
+template class StoredField<surfaceScalarField>;
+
+} // namespace Foam::stability

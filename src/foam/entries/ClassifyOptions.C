@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "foam/entries/ClassifyOptions.H"
+
+#include "foam/entries/EntryReaders.H"
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+// It belongs to some of the controls.
+scalar readInterval(const dictionary& dict, ClassifyControl control)
+{
+    using Control = ClassifyControl;
+    if (control == Control::timeStep || control == Control::writeTime)
+    {
+        return readNumber<label>(dict, "classifyInterval", 1, Range{1, 1e9, ""});
+    }
+    const bool isTime =
+        control == Control::runTime || control == Control::adjustableRunTime;
+    const bool found = dict.found("classifyInterval", keyType::LITERAL);
+    if (isTime && !found)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'classifyInterval' is missing, which classifyControl "
+            << classifyControlNames()[control] << " needs." << exit(FatalIOError);
+    }
+    if (!isTime && found)
+    {
+        refuse(
+            dict, "classifyInterval",
+            "an interval with the classifyControl timeStep, writeTime, runTime or "
+            "adjustableRunTime only"
+        );
+    }
+    return readNumber<scalar>(
+        dict, "classifyInterval", 1, Range{0, GREAT, " (user's time)", true}
+    );
+}
+
+} // namespace
+
+const Enum<ClassifyControl>& classifyControlNames()
+{
+    static const Enum<ClassifyControl> names({
+        {ClassifyControl::asWritten, "asWritten"},
+        {ClassifyControl::none, "none"},
+        {ClassifyControl::timeStep, "timeStep"},
+        {ClassifyControl::writeTime, "writeTime"},
+        {ClassifyControl::runTime, "runTime"},
+        {ClassifyControl::adjustableRunTime, "adjustableRunTime"},
+        {ClassifyControl::onEnd, "onEnd"},
+    });
+    return names;
+}
+
+ClassifyOptions readClassify(const dictionary& dict)
+{
+    ClassifyOptions options;
+    options.control =
+        readEnum(dict, "classifyControl", options.control, classifyControlNames());
+    options.interval = readInterval(dict, options.control);
+    options.displacement = readNumber<scalar>(
+        dict, "classifyDisplacement", 0, Range{0, 100, " cells", true}
+    );
+    if (options.control == ClassifyControl::none && options.displacement == 0)
+    {
+        refuse(dict, "classifyControl", "none together with classifyDisplacement only");
+    }
+    return options;
+}
+
+} // namespace Foam::stability

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "foam/results/ProgressReport.H"
+
+#include "messageStream.H"
+
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+// Beyond so many cells between classifications p is resampled from afar.
+constexpr scalar largestDisplacement = 2.5;
+
+// Epsilon should be at least so many times the noise floor.
+constexpr scalar floorsPerEpsilon = 2;
+
+// Up to two digits.
+scalar roundedUp(scalar value)
+{
+    const scalar digit = std::pow(10.0, std::floor(std::log10(value)) - 1);
+    return std::ceil(value / digit * (1 - 1e-9)) * digit;
+}
+
+} // namespace
+
+void ProgressReport::classified(
+    const Classification& c, const word& timeName, scalar seconds,
+    const TrackerOptions& options
+)
+{
+    ++nClassified_;
+    if (shown_)
+    {
+        showProgress(c, timeName, seconds);
+        showDetails(c);
+    }
+    showTroubles(c, timeName);
+    warn(c, timeName, options);
+}
+
+void ProgressReport::showProgress(
+    const Classification& c, const word& timeName, scalar seconds
+) const
+{
+    const Statistics& s = c.statistics;
+    std::ostringstream line;
+    line << std::setprecision(3) << "interfaceStability: step " << nClassified_;
+    if (nExpected_ > 0)
+    {
+        line << " of " << nExpected_;
+    }
+    line << ", time " << timeName << " s: " << s.nVertices << " vertices, "
+         << 100 * s.stableFraction() << " % stable, "
+         << s.detachedNearWall + s.detachedElsewhere << " m2 detached, " << s.nParticles
+         << " particles; moved " << s.displacement << " cells (largest "
+         << s.largestDisplacement << "), epsilon/interval " << s.drift()
+         << " m/s, noise floor " << s.noiseFloor << " cells; " << seconds << " s";
+    if (nExpected_ > nClassified_)
+    {
+        const scalar left = seconds / nClassified_ * (nExpected_ - nClassified_);
+        line << ", about " << label(std::ceil(left)) << " s left";
+    }
+    Info << line.str().c_str() << endl;
+}
+
+void ProgressReport::showDetails(const Classification& c) const
+{
+    if (c.statistics.nTriangles == 0)
+    {
+        Info << "    there is no interface at this time" << endl;
+    }
+    if (c.parametrization)
+    {
+        const ParametrizationResult& p = *c.parametrization;
+        Info << "    parametrized: " << p.nCharts << " charts, remeshed within "
+             << p.remeshingDistance << " m; " << p.nKept
+             << " too small or not fit to be remeshed" << endl;
+    }
+    if (c.transfer.nUnresolved > 0)
+    {
+        Info << "    " << c.transfer.nUnresolved << " of " << c.transfer.nCrossing
+             << " triangles on seams could not be split" << endl;
+    }
+}
+
+void ProgressReport::showTroubles(const Classification& c, const word& timeName) const
+{
+    if (c.parametrization && c.parametrization->nFallbacks > 0)
+    {
+        Info << "interfaceStability: at time " << timeName << " s "
+             << c.parametrization->nFallbacks << " of " << c.parametrization->nCharts
+             << " charts were flattened by the fallback tutte" << endl;
+    }
+    if (c.nFailedCells > 0)
+    {
+        Info << "interfaceStability: at time " << timeName << " s " << c.nFailedCells
+             << " cells with an interface have no piece of it: no plane was found"
+             << endl;
+    }
+    if (c.volumeFit && c.volumeFit->nStayed() > 0)
+    {
+        const VolumeFitResult& fit = *c.volumeFit;
+        Info << "interfaceStability: at time " << timeName << " s " << fit.nStayed()
+             << " of " << fit.nClosed
+             << " closed components keep their volume: " << fit.nTooFar
+             << " would have to move too far, " << fit.nFolded << " would fold, "
+             << fit.nOpen << " share fluid with what is not closed, " << fit.nHeld
+             << " are held by walls" << endl;
+    }
+    const IntegrationCounts& surface = c.timeSurfaceCounts;
+    const IntegrationCounts& particles = c.particleCounts;
+    if (surface.nStuck + surface.nLost + particles.nStuck + particles.nLost > 0)
+    {
+        Info << "interfaceStability: at time " << timeName << " s of the interface "
+             << surface.nStuck << " points are stuck, " << surface.nLost
+             << " lost; of the particles " << particles.nStuck << " stuck, "
+             << particles.nLost << " lost" << endl;
+    }
+}
+
+void ProgressReport::warn(
+    const Classification& c, const word& timeName, const TrackerOptions& options
+)
+{
+    const scalar displacement = c.statistics.displacement;
+    if (displacement > largestDisplacement && !warnedDisplacement_)
+    {
+        warnedDisplacement_ = true;
+        Warning << "interfaceStability: at time " << timeName
+                << " s the interface had moved " << displacement
+                << " cells (rms) since the last classified time. Above "
+                << largestDisplacement
+                << " the results lose accuracy: write more times. Told once; see the "
+                   "column displacement of stability.dat."
+                << endl;
+    }
+    if (c.nSkippedParticles > 0 && !warnedParticles_)
+    {
+        warnedParticles_ = true;
+        Warning << "interfaceStability: at time " << timeName
+                << " s the particles reached maxParticles (" << options.maxParticles
+                << "): " << c.nSkippedParticles
+                << " found no room, and no more will be seeded. Told once." << endl;
+    }
+    warnOfNoise(c, timeName);
+}
+
+void ProgressReport::warnOfNoise(const Classification& c, const word& timeName)
+{
+    const Statistics& s = c.statistics;
+    const scalar least = floorsPerEpsilon * s.noiseFloor; // [cells]
+    if (warnedNoise_ || s.epsilonCells <= 0 || s.epsilonCells >= least)
+    {
+        return;
+    }
+    warnedNoise_ = true;
+    const scalar better = roundedUp(c.epsilon.value * least / s.epsilonCells);
+    Warning << "interfaceStability: at time " << timeName << " s epsilon ("
+            << s.epsilonCells << " cells) is below twice the noise floor of the "
+            << "reconstruction (" << s.noiseFloor
+            << " cells): part of what attaches and detaches is noise. Better is "
+            << (c.epsilon.relative ? "epsilon " : "epsilonAbsolute ") << better
+            << ". Told once; see the column noiseFloor of stability.dat." << endl;
+}
+
+} // namespace Foam::stability

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+// The statistics of a surface in pieces are those of the whole, to the last bit.
+
+#include "core/comparison/Statistics.H"
+#include "shapes/Surfaces.H"
+#include "shapes/ThreadRanks.H"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace Foam;
+using namespace Foam::stability;
+
+namespace
+{
+
+// Hilly, of cells of all sizes, with every class and kind of point; some triangles have
+// no p.
+ClassifiedSurface hills(unsigned seed)
+{
+    const auto height = [](scalar u, scalar v)
+    { return point(3 * u, 2 * v * v + u, std::sin(7 * u) * std::cos(4 * v)); };
+    ClassifiedSurface surface;
+    surface.mesh = shapes::asInterface(shapes::grid(height, 17, 13), 0.1);
+    InterfaceMesh& mesh = surface.mesh;
+    const label n = mesh.points.size();
+    mesh.parameters = List<vector2D>(3, vector2D(0.5, 0.5));
+    for (label i = 0; i < mesh.triangles.size(); i += 3)
+    {
+        mesh.corners[i] = CornerIndices(1);
+    }
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<scalar> unit(0, 1);
+    const auto often = [&] { return unit(random) < 0.4; };
+    surface.stability.setSize(n);
+    surface.distance.setSize(n);
+    surface.driftSpeed.setSize(n);
+    for (List<bool>* flags : {&surface.nearWall, &surface.thin, &surface.subGrid})
+    {
+        flags->setSize(n);
+    }
+    for (label i = 0; i < n; ++i)
+    {
+        mesh.cellSizes[i] = 0.02 + unit(random);
+        surface.stability[i] = often()   ? Stability::stable
+                               : often() ? Stability::left
+                                         : Stability::detached;
+        surface.distance[i] = 4 * mesh.cellSizes[i] * unit(random);
+        surface.driftSpeed[i] = unit(random) - 0.7;
+        surface.nearWall[i] = often();
+        surface.thin[i] = often();
+        surface.subGrid[i] = often();
+    }
+    surface.areas = mesh.pointAreas();
+    surface.counted = List<bool>(n, true);
+    return surface;
+}
+
+// Shifts of the points of a surface [m].
+pointField seedsOf(const ClassifiedSurface& surface)
+{
+    pointField seeds(surface.mesh.points);
+    forAll(seeds, i)
+    {
+        seeds[i] += vector(0.01 * i, std::cos(scalar(i)), 0.3);
+    }
+    return seeds;
+}
+
+// Some triangles with their points. Of several ranks the lowest counts a point.
+struct Piece
+{
+    ClassifiedSurface surface;
+    pointField seeds;
+};
+
+label rankOf(label trianglei, label n)
+{
+    const label nFull = std::max(n - 1, label(1)); // the last has nothing
+    return (trianglei / 5) % nFull;
+}
+
+Piece pieceOf(const ClassifiedSurface& whole, label rank, label n)
+{
+    const InterfaceMesh& mesh = whole.mesh;
+    labelList lowest(mesh.points.size(), n), places(mesh.points.size(), -1);
+    DynamicList<label> points;
+    Piece piece;
+    piece.surface = whole;
+    InterfaceMesh& own = piece.surface.mesh;
+    own.triangles.clear();
+    own.corners.clear();
+    forAll(mesh.triangles, trianglei)
+    {
+        const label owner = rankOf(trianglei, n);
+        triFace triangle(mesh.triangles[trianglei]);
+        for (label& pointi : triangle)
+        {
+            lowest[pointi] = std::min(lowest[pointi], owner);
+            if (owner == rank)
+            {
+                if (places[pointi] < 0)
+                {
+                    places[pointi] = points.size();
+                    points.append(pointi);
+                }
+                pointi = places[pointi];
+            }
+        }
+        if (owner == rank)
+        {
+            own.triangles.append(triangle);
+            own.corners.append(mesh.corners[trianglei]);
+        }
+    }
+    select(piece.surface, points);
+    own.points = pointField(UIndirectList<point>(mesh.points, points));
+    own.cellSizes = scalarField(UIndirectList<scalar>(mesh.cellSizes, points));
+    piece.seeds = pointField(UIndirectList<point>(seedsOf(whole), points));
+    forAll(points, i)
+    {
+        piece.surface.counted[i] = lowest[points[i]] == rank;
+    }
+    return piece;
+}
+
+std::vector<scalar> allValues(const Statistics& statistics)
+{
+    std::vector<scalar> all(statistics.values());
+    for (const scalar value : statistics.survivalValues())
+    {
+        all.push_back(value);
+    }
+    all.push_back(statistics.timeSurfaceArea);
+    all.push_back(statistics.epsilonCells);
+    all.push_back(statistics.largestDisplacement);
+    return all;
+}
+
+std::vector<std::vector<scalar>> valuesOn(label n)
+{
+    const ClassifiedSurface interface(hills(1)), timeSurface(hills(2));
+    std::vector<std::vector<scalar>> values(n);
+    shapes::onRanks(
+        n,
+        [&](const Exchange& exchange)
+        {
+            const label rank = exchange.rank();
+            const Piece m(pieceOf(interface, rank, n));
+            const Piece t(pieceOf(timeSurface, rank, n));
+            Statistics statistics;
+            survey(statistics, m.surface, t.surface, Epsilon{0.3, true}, exchange);
+            surveyDisplacement(statistics, t.surface, t.seeds, exchange);
+            values[rank] = allValues(statistics);
+        }
+    );
+    return values;
+}
+
+} // namespace
+
+TEST(StatisticsOverRanks, areThoseOfTheWhole)
+{
+    Statistics whole;
+    const ClassifiedSurface interface(hills(1)), timeSurface(hills(2));
+    survey(whole, interface, timeSurface, Epsilon{0.3, true}, SerialExchange());
+    surveyDisplacement(whole, timeSurface, seedsOf(timeSurface), SerialExchange());
+    const std::vector<scalar> truth(allValues(whole));
+    const scalar area = interface.mesh.area();
+    EXPECT_NEAR(whole.area, area, 1e-13 * area);
+    EXPECT_EQ(whole.nVertices, interface.mesh.points.size());
+    EXPECT_EQ(whole.nTriangles, interface.mesh.triangles.size());
+    EXPECT_NEAR(whole.coverage(), 0.33, 0.05);
+    for (const scalar part :
+         {whole.stableArea, whole.attachedArea, whole.leftArea, whole.detachedNearWall,
+          whole.detachedThin, whole.detachedResolved})
+    {
+        EXPECT_GT(part, 0.02 * area);
+        EXPECT_LT(part, 0.9 * area);
+    }
+    for (const label n : {1, 2, 3, 5})
+    {
+        for (const std::vector<scalar>& ofRank : valuesOn(n))
+        {
+            EXPECT_EQ(ofRank, truth) << n;
+        }
+    }
+}
