@@ -20,6 +20,9 @@ endif()
 # As wmake: assertions stay out of releases by OpenFOAM's own means, not by NDEBUG.
 set(CMAKE_CXX_FLAGS_RELEASE "-O3")
 
+# Sources are compiled jointly, as those of the libraries (Make/joinSources).
+set(CMAKE_UNITY_BUILD ON)
+
 find_package(OpenMP REQUIRED)
 get_filename_component(stabilityRoot "${CMAKE_CURRENT_LIST_DIR}/.." ABSOLUTE)
 

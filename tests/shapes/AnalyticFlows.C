@@ -4,6 +4,7 @@
 #include "shapes/AnalyticFlows.H"
 
 #include "shapes/DeformedSphere.H"
+#include "mathematicalConstants.H"
 
 #include <cmath>
 
@@ -13,7 +14,7 @@ namespace Foam::stability::shapes
 namespace
 {
 
-constexpr scalar pi = 3.14159265358979323846;
+using constant::mathematical::pi;
 
 } // namespace
 

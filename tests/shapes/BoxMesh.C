@@ -170,6 +170,14 @@ BoxOptions boxOf(label n)
     return options;
 }
 
+BoxOptions oblongBox()
+{
+    BoxOptions options;
+    options.max = point(1.2, 1, 1.1);
+    options.n = Vector<label>(10, 9, 11);
+    return options;
+}
+
 std::shared_ptr<const CellComplex> unitCube(label n)
 {
     BoxOptions options;

@@ -18,7 +18,7 @@ namespace Foam::stability::shapes
 namespace
 {
 
-constexpr scalar pi = constant::mathematical::pi;
+using constant::mathematical::pi;
 constexpr int nNodes = 5;  // of the polynomial in a cell, per direction
 constexpr int nParts = 16; // boxes that a cell is divided into, per direction
 

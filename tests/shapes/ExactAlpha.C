@@ -240,4 +240,14 @@ FlowSnapshot snapshotOf(std::shared_ptr<const CellComplex> complex, const Shape&
     return snapshotOf(complex, exactAlpha(*complex, shape));
 }
 
+scalar materialIn(const CellComplex& complex, const scalarField& alpha)
+{
+    scalar sum = 0;
+    forAll(alpha, celli)
+    {
+        sum += alpha[celli] * complex.cellVolumes()[celli];
+    }
+    return sum;
+}
+
 } // namespace Foam::stability::shapes

@@ -4,6 +4,7 @@
 #include "shapes/ReconstructionErrors.H"
 #include "shapes/BoxMesh.H"
 #include "shapes/ExactAlpha.H"
+#include "mathematicalConstants.H"
 
 #include <cmath>
 #include <random>
@@ -14,7 +15,7 @@ namespace Foam::stability::shapes
 namespace
 {
 
-constexpr scalar pi = 3.14159265358979323846;
+using constant::mathematical::pi;
 
 // In [-1/2, 1/2), the same on every machine.
 scalar uniform(std::mt19937& generator)

@@ -2,6 +2,7 @@
 // Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/results/ParameterTexture.H"
+#include "mathematicalConstants.H"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,7 @@ namespace Foam::stability
 namespace
 {
 
-constexpr scalar pi = 3.14159265358979323846;
+using constant::mathematical::pi;
 
 // CIELAB under D65. One lightness everywhere, so that what looks dark in a picture
 // is shading, and black and red stay free for attached and detached.
@@ -113,7 +114,7 @@ bool onLine(int pixel, int size)
     return std::abs(x - std::round(x)) < halfWidth;
 }
 
-bool onSwatch(const vector2D& p)
+bool liesOnSwatch(const vector2D& p)
 {
     return p.x() > 1 - BlackSwatch::size && p.y() < BlackSwatch::size;
 }
@@ -151,7 +152,7 @@ std::vector<Colour> parameterTexture(int size)
         {
             const vector2D p((i + 0.5) / size, (j + 0.5) / size);
             Colour& pixel = pixels[std::size_t(j) * size + i];
-            if (onSwatch(p))
+            if (liesOnSwatch(p))
             {
                 pixel = Colour{0, 0, 0};
             }

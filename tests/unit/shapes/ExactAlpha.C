@@ -3,6 +3,7 @@
 
 #include "shapes/ExactAlpha.H"
 #include "shapes/PolyMeshes.H"
+#include "mathematicalConstants.H"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +13,7 @@ using namespace Foam::stability;
 namespace
 {
 
-constexpr scalar pi = 3.14159265358979323846;
+using constant::mathematical::pi;
 
 scalar volumeInside(const CellComplex& complex, const scalarField& alpha)
 {

@@ -14,7 +14,7 @@ using namespace Foam::stability;
 namespace
 {
 
-shapes::BoxOptions oblongBox()
+shapes::BoxOptions wideBox()
 {
     shapes::BoxOptions options;
     options.min = point(-0.2, 0.1, 0);
@@ -48,14 +48,14 @@ void expectSound(const CellComplex& complex)
 
 TEST(PolyMeshes, perturbedBoxIsSound)
 {
-    const CellComplex complex(shapes::perturbedBox(oblongBox()));
+    const CellComplex complex(shapes::perturbedBox(wideBox()));
     expectSound(complex);
     EXPECT_GT(max(complex.cellVolumes()) / min(complex.cellVolumes()), 1.2);
 }
 
 TEST(PolyMeshes, tetrahedralBoxIsSound)
 {
-    const CellComplex complex(shapes::tetrahedralBox(oblongBox()));
+    const CellComplex complex(shapes::tetrahedralBox(wideBox()));
     expectSound(complex);
     EXPECT_EQ(complex.nCells(), 6 * 90);
     EXPECT_EQ(complex.faces()[0].size(), 3);
@@ -64,7 +64,7 @@ TEST(PolyMeshes, tetrahedralBoxIsSound)
 TEST(PolyMeshes, refinedBoxIsSoundAndHasPolyhedra)
 {
     const auto lower = [](const point& x) { return x.z() < 0.5 && x.x() > 0; };
-    const CellComplex complex(shapes::refinedBox(oblongBox(), lower));
+    const CellComplex complex(shapes::refinedBox(wideBox(), lower));
     expectSound(complex);
     label mostFaces = 0;
     label mostCorners = 0;
@@ -82,7 +82,7 @@ TEST(PolyMeshes, refinedBoxIsSoundAndHasPolyhedra)
 
 TEST(PolyMeshes, dualBoxIsSoundAndOfPolyhedra)
 {
-    const CellComplex complex(shapes::dualBox(oblongBox()));
+    const CellComplex complex(shapes::dualBox(wideBox()));
     expectSound(complex);
     EXPECT_EQ(complex.nCells(), 6 * 4 * 7); // the points of the tetrahedra
     label nInside = 0;

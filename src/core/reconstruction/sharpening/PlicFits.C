@@ -15,18 +15,10 @@ namespace Foam::stability
 namespace
 {
 
-// What is nearer to 0 or 1 is round-off of the solver.
-constexpr scalar trace = 1e-6;
-
-bool isMixed(scalar alpha)
-{
-    return alpha > trace && alpha < 1 - trace;
-}
-
-class Fitter
+class PlicFitter
 {
 public:
-    Fitter(const CellComplex& complex, const scalarField& alpha, label nThreads)
+    PlicFitter(const CellComplex& complex, const scalarField& alpha, label nThreads)
         : complex_(complex), alpha_(alpha), nThreads_(nThreads)
     {
     }
@@ -259,7 +251,7 @@ private:
 PlicFits
 fitPlic(const CellComplex& complex, const VolumeFractions& fractions, label nThreads)
 {
-    return Fitter(complex, fractions.cells, nThreads).run();
+    return PlicFitter(complex, fractions.cells, nThreads).run();
 }
 
 } // namespace Foam::stability

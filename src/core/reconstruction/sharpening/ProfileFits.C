@@ -15,7 +15,6 @@ namespace Foam::stability
 namespace
 {
 
-constexpr scalar trace = 1e-6;
 constexpr scalar saturated = 1e-3; // the logit is clamped there
 constexpr scalar sigma = 1.5;      // reach of the weights along the interface, in sizes
 
@@ -58,11 +57,6 @@ scalar meanSquare(const CellComplex& complex, label celli, scalar size)
     return (sqr(complex.cellSizes()[celli]) / 12 + neighbours) / sqr(size);
 }
 
-bool isMixed(scalar beta)
-{
-    return beta > trace && beta < 1 - trace;
-}
-
 scalar logit(scalar beta)
 {
     const scalar b = std::min(std::max(beta, saturated), 1 - saturated);
@@ -78,10 +72,10 @@ struct Sample
     bool saturated;
 };
 
-class Fitter
+class ProfileFitter
 {
 public:
-    Fitter(
+    ProfileFitter(
         const CellComplex& complex, const scalarField& alpha, label nThreads,
         label nRings
     )
@@ -366,7 +360,7 @@ ProfileFits fitProfiles(
     label nRings
 )
 {
-    return Fitter(complex, fractions.cells, nThreads, nRings).run();
+    return ProfileFitter(complex, fractions.cells, nThreads, nRings).run();
 }
 
 } // namespace Foam::stability

@@ -13,9 +13,6 @@
 using namespace Foam::stability;
 namespace fs = std::filesystem;
 
-namespace
-{
-
 class FileReplacement : public ::testing::Test
 {
 protected:
@@ -46,8 +43,6 @@ protected:
 
     fs::path folder_;
 };
-
-} // namespace
 
 TEST_F(FileReplacement, replacesTheWholeFile)
 {

@@ -6,6 +6,7 @@
 // the table of doc/method.md.
 
 #include "shapes/PathlineRuns.H"
+#include "mathematicalConstants.H"
 
 #include <cmath>
 #include <cstdio>
@@ -17,7 +18,7 @@ using namespace Foam::stability;
 namespace
 {
 
-constexpr scalar pi = 3.14159265358979323846;
+using constant::mathematical::pi;
 constexpr scalar period = 0.5;    // [s]
 constexpr scalar end = 1.15625;   // [s], 2.3125 periods
 constexpr scalar fastest = 5;     // [rad/s]

@@ -8,6 +8,7 @@
 #include "shapes/PathlineRuns.H"
 #include "shapes/CutOut.H"
 #include "shapes/PolyMeshes.H"
+#include "mathematicalConstants.H"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -18,7 +19,7 @@ using namespace Foam::stability;
 namespace
 {
 
-constexpr scalar pi = 3.14159265358979323846;
+using constant::mathematical::pi;
 
 } // namespace
 

@@ -4,6 +4,7 @@
 #include "core/flow/PathlineIntegrator.H"
 
 #include "shapes/PathlineRuns.H"
+#include "mathematicalConstants.H"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -15,7 +16,7 @@ using namespace Foam::stability;
 namespace
 {
 
-constexpr scalar pi = 3.14159265358979323846;
+using constant::mathematical::pi;
 
 // Where LeVeque's field carries the points from 0 to `end`.
 List<point> exactLeveque(const List<point>& points, scalar end)

@@ -15,9 +15,6 @@ using namespace Foam::stability;
 namespace
 {
 
-const tensor gradient(0.3, -1.1, 0.7, 0.4, 0.9, -0.2, 1.3, 0.5, -0.6);
-const vector U0(1.7, -0.4, 0.25);
-
 shapes::BoxOptions bentBox(BoundaryKind kind)
 {
     shapes::BoxOptions options;
@@ -30,7 +27,8 @@ shapes::BoxOptions bentBox(BoundaryKind kind)
 std::shared_ptr<FlowSnapshot> changeable(const shapes::BoxOptions& options)
 {
     const auto complex = shapes::box(options);
-    const auto flow = shapes::linearFlow(U0, gradient);
+    const auto flow =
+        shapes::linearFlow(shapes::obliqueVelocity, shapes::obliqueGradient);
     return std::make_shared<FlowSnapshot>(*shapes::sampled(complex, flow, 0));
 }
 
@@ -89,7 +87,10 @@ TEST(PointVelocity, LinearFieldIsExactAtInteriorAndFlatOpenPoints)
         if (!onEdge)
         {
             const point& x = complex.points()[pointi];
-            expectNear(velocity.atPoint(pointi), U0 + (gradient & x), 1e-13);
+            expectNear(
+                velocity.atPoint(pointi),
+                shapes::obliqueVelocity + (shapes::obliqueGradient & x), 1e-13
+            );
             ++nChecked;
         }
     }
@@ -187,7 +188,8 @@ TEST(PointVelocity, WallWinsOverOpeningAndSymmetryAlwaysSlips)
     const point mirror(0.6, 0, 0.2);
     const vector mirrorMean = meanOfCells(*snapshot, mirror, 0.25);
     const label mirrorPoint = pointAt(complex, mirror);
-    const vector boundary = U0 + (gradient & mirror);
+    const vector boundary =
+        shapes::obliqueVelocity + (shapes::obliqueGradient & mirror);
     ASSERT_GT(mag(boundary.y()), 0.1);
     for (const PointVelocity* velocity : {&slip, &noSlip})
     {

@@ -19,13 +19,11 @@ namespace
 
 using Where = VelocitySample::Where;
 
-const tensor gradient(0.3, -1.1, 0.7, 0.4, 0.9, -0.2, 1.3, 0.5, -0.6);
-const vector U0(1.7, -0.4, 0.25);
-
 // Linear in space and, between times, too.
 vector flow(const point& x, scalar time)
 {
-    return U0 + (gradient & x) + time * vector(-0.7, 2.1, 0.3);
+    return shapes::obliqueVelocity + (shapes::obliqueGradient & x)
+           + time * vector(-0.7, 2.1, 0.3);
 }
 
 shapes::BoxOptions openBox(label n)

@@ -16,14 +16,15 @@ using namespace Foam::stability::shapes;
 namespace
 {
 
-const label n = 20;
-const scalar h = 2.0 / n;
+const label nLattice = 20;
+const scalar latticeSize = 2.0 / nLattice;
 
 PlainSurface raggedCap()
 {
     const boundBox box(point(-1, -1, -1), point(1, 1, 1));
     return marchingTetrahedra(
-        [](const point& p) { return mag(p - point(.013, .021, -1)) - .9; }, box, n
+        [](const point& p) { return mag(p - point(.013, .021, -1)) - .9; }, box,
+        nLattice
     );
 }
 
@@ -49,11 +50,11 @@ TEST(Remeshing, MakesEvenTriangles)
 {
     const PlainSurface ragged = raggedCap();
     ASSERT_LT(smallestAngle(ragged), 0.02);
-    const RemeshingResult result = remesh(ragged, 0.5 * h);
+    const RemeshingResult result = remesh(ragged, 0.5 * latticeSize);
     ASSERT_FALSE(result.kept);
     EXPECT_GT(smallestAngle(result.surface), 0.1);
     EXPECT_GT(result.largestDistance, 0);
-    EXPECT_LT(result.largestDistance, 0.25 * h);
+    EXPECT_LT(result.largestDistance, 0.25 * latticeSize);
 
     const SurfaceShape shape =
         shapeOf(result.surface.points.size(), result.surface.triangles);
@@ -68,13 +69,13 @@ TEST(Remeshing, MakesEvenTriangles)
         length += mag(result.surface.points[e.a] - result.surface.points[e.b]);
     }
     length /= topology.edges().size();
-    EXPECT_NEAR(length / (0.5 * h), 1, 0.2);
+    EXPECT_NEAR(length / (0.5 * latticeSize), 1, 0.2);
 }
 
 TEST(Remeshing, KeepsTheBoundary)
 {
     const PlainSurface ragged = raggedCap();
-    const RemeshingResult result = remesh(ragged, 0.5 * h);
+    const RemeshingResult result = remesh(ragged, 0.5 * latticeSize);
     const labelList loop =
         boundaryLoops(result.surface.points.size(), result.surface.triangles)[0];
     scalar length = 0;
@@ -125,13 +126,13 @@ TEST(Remeshing, TakesAfterTheBoundaryOnTheBoundary)
 TEST(Remeshing, KnowsTheNearestPoints)
 {
     const PlainSurface ragged = raggedCap();
-    const RemeshingResult result = remesh(ragged, 0.5 * h);
+    const RemeshingResult result = remesh(ragged, 0.5 * latticeSize);
     ASSERT_EQ(result.nearest.size(), result.surface.points.size());
     forAll(result.nearest, i)
     {
         const scalar d =
             mag(result.surface.points[i] - ragged.points[result.nearest[i]]);
-        EXPECT_LT(d, h);
+        EXPECT_LT(d, latticeSize);
     }
 }
 
@@ -165,9 +166,9 @@ TEST(Remeshing, DoesNotDependOnUnits)
     {
         p = 1e-6 * p + vector(3, 0, 0);
     }
-    const RemeshingResult result = remesh(small, 1e-6 * 0.5 * h);
+    const RemeshingResult result = remesh(small, 1e-6 * 0.5 * latticeSize);
     EXPECT_FALSE(result.kept);
-    EXPECT_LT(result.largestDistance, 1e-6 * 0.25 * h);
+    EXPECT_LT(result.largestDistance, 1e-6 * 0.25 * latticeSize);
 }
 
 TEST(Remeshing, KeepsWhatIsTooSmall)
@@ -190,14 +191,14 @@ TEST(Remeshing, KeepsWhatIsNotManifold)
     const triFace t = surface.triangles[7];
     surface.points.append(surface.points[t[0]] + vector(0, 0, 0.3));
     surface.triangles.append(triFace(t[0], t[1], surface.points.size() - 1));
-    EXPECT_TRUE(remesh(surface, 0.5 * h).kept);
+    EXPECT_TRUE(remesh(surface, 0.5 * latticeSize).kept);
 }
 
 TEST(Remeshing, IsRepeatable)
 {
     const PlainSurface ragged = raggedCap();
-    const RemeshingResult a = remesh(ragged, 0.5 * h);
-    const RemeshingResult b = remesh(ragged, 0.5 * h);
+    const RemeshingResult a = remesh(ragged, 0.5 * latticeSize);
+    const RemeshingResult b = remesh(ragged, 0.5 * latticeSize);
     EXPECT_EQ(a.surface.triangles, b.surface.triangles);
     EXPECT_EQ(a.surface.points, b.surface.points);
 }

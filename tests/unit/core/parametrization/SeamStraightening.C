@@ -15,7 +15,7 @@ using namespace Foam::stability::shapes;
 namespace
 {
 
-constexpr label n = 12; // squares along each side
+constexpr label nSquares = 12; // squares along each side
 
 // On a bulge, so that straight in the plane is not straight on the surface.
 PlainSurface bulge()
@@ -23,7 +23,7 @@ PlainSurface bulge()
     return grid(
         [](scalar u, scalar v)
         { return point(u, v, 0.2 * std::sin(2 * u + 0.3) * std::cos(v)); },
-        n, n
+        nSquares, nSquares
     );
 }
 
@@ -43,11 +43,11 @@ label pointNear(const PlainSurface& surface, scalar u, scalar v)
 labelList stairs(const PlainSurface& surface)
 {
     labelList points;
-    for (label i = 2; i < n - 2; ++i)
+    for (label i = 2; i < nSquares - 2; ++i)
     {
-        const scalar down = 1 - i / scalar(n);
-        points.append(pointNear(surface, i / scalar(n), down));
-        points.append(pointNear(surface, (i + 1) / scalar(n), down));
+        const scalar down = 1 - i / scalar(nSquares);
+        points.append(pointNear(surface, i / scalar(nSquares), down));
+        points.append(pointNear(surface, (i + 1) / scalar(nSquares), down));
     }
     return points;
 }
@@ -98,7 +98,7 @@ TEST(SeamStraightening, stairsBecomeALine)
     EXPECT_EQ(surface.points[line.first()], given.points[line.first()]);
     EXPECT_EQ(surface.points[line.last()], given.points[line.last()]);
 
-    const SurfaceLocator locator(given.points, given.triangles, 1.0 / n);
+    const SurfaceLocator locator(given.points, given.triangles, 1.0 / nSquares);
     label nMoved = 0;
     forAll(surface.points, i)
     {
@@ -115,7 +115,7 @@ TEST(SeamStraightening, branchingsAndTheBoundaryStay)
     const PlainSurface given = bulge();
     PlainSurface surface(given);
     const auto at = [&](label i, label j)
-    { return pointNear(given, i / scalar(n), j / scalar(n)); };
+    { return pointNear(given, i / scalar(nSquares), j / scalar(nSquares)); };
     List<labelPair> edges =
         edgesOf({at(6, 4), at(6, 5), at(6, 6), at(7, 6), at(8, 6), at(8, 7)});
     edges.append(labelPair(at(6, 6), at(5, 6)));

@@ -13,7 +13,7 @@ using namespace Foam::stability;
 namespace
 {
 
-vector2D boxSize(const List<vector2D>& points)
+vector2D sizeOfBox(const List<vector2D>& points)
 {
     vector2D low = points[0], high = points[0];
     for (const vector2D& p : points)
@@ -45,7 +45,7 @@ TEST(SmallestBox, IsThatOfATurnedRectangle)
         }
         const List<vector2D> before = points;
         turnIntoSmallestBox(points);
-        const vector2D size = boxSize(points);
+        const vector2D size = sizeOfBox(points);
         EXPECT_NEAR(max(size.x(), size.y()), 5.6, 1e-12);
         EXPECT_NEAR(min(size.x(), size.y()), 0.6, 1e-12);
 
@@ -62,8 +62,8 @@ TEST(SmallestBox, OfOnePointIsLegal)
 {
     List<vector2D> points(1, vector2D(3, 4));
     turnIntoSmallestBox(points);
-    EXPECT_EQ(boxSize(points), vector2D(0, 0));
+    EXPECT_EQ(sizeOfBox(points), vector2D(0, 0));
     points = List<vector2D>(2, vector2D(3, 4));
     turnIntoSmallestBox(points);
-    EXPECT_EQ(boxSize(points), vector2D(0, 0));
+    EXPECT_EQ(sizeOfBox(points), vector2D(0, 0));
 }

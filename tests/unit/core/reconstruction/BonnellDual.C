@@ -15,7 +15,7 @@ using namespace Foam::stability;
 namespace
 {
 
-ReconstructionOptions smoothed(label pairs)
+ReconstructionOptions smoothedBonnell(label pairs)
 {
     ReconstructionOptions options;
     options.method = "bonnell";
@@ -38,7 +38,7 @@ scalar linearError(const std::shared_ptr<const CellComplex>& complex)
     const vector gradient(0.31, -0.43, 0.22);
     const scalarField alpha(0.5 + (gradient & (complex->cellCentres() - origin)));
     const auto result =
-        BonnellDual(smoothed(0)).extract(shapes::snapshotOf(complex, alpha));
+        BonnellDual(smoothedBonnell(0)).extract(shapes::snapshotOf(complex, alpha));
     scalar largest = 0;
     label nInside = 0;
     forAll(result.mesh.points, pointi)
@@ -74,7 +74,8 @@ TEST(BonnellDual, linearFractionsGiveAPlaneOnEveryMesh)
 // B4.
 TEST(BonnellDual, ballOfExactFractions)
 {
-    const shapes::BallErrors errors = shapes::ballErrors(BonnellDual(smoothed(0)), 6);
+    const shapes::BallErrors errors =
+        shapes::ballErrors(BonnellDual(smoothedBonnell(0)), 6);
     EXPECT_GT(errors.meanVolume, -0.009);
     EXPECT_LT(errors.meanVolume, -0.007);
     EXPECT_LT(errors.largestDistance, 0.45);
@@ -85,8 +86,10 @@ TEST(BonnellDual, ballOfExactFractions)
 
 TEST(BonnellDual, smoothingFlattensTheStaircase)
 {
-    const shapes::BallErrors five = shapes::ballErrors(BonnellDual(smoothed(5)), 6);
-    const shapes::BallErrors ten = shapes::ballErrors(BonnellDual(smoothed(10)), 6);
+    const shapes::BallErrors five =
+        shapes::ballErrors(BonnellDual(smoothedBonnell(5)), 6);
+    const shapes::BallErrors ten =
+        shapes::ballErrors(BonnellDual(smoothedBonnell(10)), 6);
     EXPECT_LT(five.meanArea, 0.016);
     EXPECT_LT(ten.meanArea, 0.008);
     EXPECT_LT(five.largestDistance, 0.25);
@@ -96,7 +99,7 @@ TEST(BonnellDual, smoothingFlattensTheStaircase)
 // B17.
 TEST(BonnellDual, movingPlane)
 {
-    const scalar largest = shapes::planeError(BonnellDual(smoothed(0)));
+    const scalar largest = shapes::planeError(BonnellDual(smoothedBonnell(0)));
     EXPECT_LT(largest, 0.45);
     EXPECT_GT(largest, 0.2);
 }
@@ -110,7 +113,7 @@ TEST(BonnellDual, oneCellOfACartesianMeshIsCutOutAsByKuhn)
     const label middle = 2 + 5 * (2 + 5 * 2);
     alpha[middle] = 1;
     const auto result =
-        BonnellDual(smoothed(0)).extract(shapes::snapshotOf(complex, alpha));
+        BonnellDual(smoothedBonnell(0)).extract(shapes::snapshotOf(complex, alpha));
     EXPECT_EQ(result.mesh.points.size(), 14);
     EXPECT_EQ(result.mesh.triangles.size(), 24);
     for (const point& x : result.mesh.points)
@@ -134,7 +137,7 @@ TEST(BonnellDual, alignedPlaneIsExactUpToTheWalls)
         alpha[celli] = complex->cellCentres()[celli].z() < 3.0 / 7 ? 0.9 : 0.3;
     }
     const auto result =
-        BonnellDual(smoothed(0)).extract(shapes::snapshotOf(complex, alpha));
+        BonnellDual(smoothedBonnell(0)).extract(shapes::snapshotOf(complex, alpha));
     // From 0.9 at z = 2.5/7 to 0.3 at 3.5/7: 1/2 lies two thirds of the way.
     EXPECT_NEAR(result.volume, (2.5 + 2.0 / 3) / 7, 1e-12);
     EXPECT_NEAR(result.mesh.area(), 1, 1e-12);

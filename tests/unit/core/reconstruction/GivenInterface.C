@@ -19,15 +19,7 @@ namespace
 
 const point middle(0.61, 0.47, 0.53);
 
-shapes::BoxOptions meshBox()
-{
-    shapes::BoxOptions options;
-    options.max = point(1.2, 1, 1.1);
-    options.n = Vector<label>(10, 9, 11);
-    return options;
-}
-
-ReconstructionResult extract(
+ReconstructionResult extracted(
     const FlowSnapshot& snapshot, const std::string& method,
     Sharpening sharpening = Sharpening::none
 )
@@ -41,7 +33,7 @@ ReconstructionResult extract(
 ReconstructionResult put(FlowSnapshot snapshot, const GivenSurface& surface)
 {
     snapshot.surface = std::make_shared<const GivenSurface>(surface);
-    return extract(snapshot, "fromFiles");
+    return extracted(snapshot, "fromFiles");
 }
 
 // Every triangle with points of its own, the last triangle's first, each with its
@@ -99,7 +91,9 @@ bool has(const std::string& text, const std::string& part)
 
 FlowSnapshot boxSnapshot(const shapes::Shape& shape)
 {
-    return shapes::snapshotOf(shapes::complexOf(shapes::boxInput(meshBox())), shape);
+    return shapes::snapshotOf(
+        shapes::complexOf(shapes::boxInput(shapes::oblongBox())), shape
+    );
 }
 
 FlowSnapshot ball()
@@ -113,7 +107,7 @@ void expectRepeated(
     const FlowSnapshot& snapshot, const std::string& method, Sharpening sharpening
 )
 {
-    const InterfaceMesh before = extract(snapshot, method, sharpening).mesh;
+    const InterfaceMesh before = extracted(snapshot, method, sharpening).mesh;
     const InterfaceMesh after = put(snapshot, tornApart(before, Welding::byName)).mesh;
     EXPECT_GT(before.points.size(), 100);
     EXPECT_EQ(after.points, before.points);
@@ -145,8 +139,10 @@ TEST(GivenInterface, repeatsWhatWasExtracted)
 {
     const auto refine = [](const point& x) { return x.x() > 0.6; };
     for (const CellComplexInput& input :
-         {shapes::boxInput(meshBox()), shapes::perturbedBox(meshBox()),
-          shapes::tetrahedralBox(meshBox()), shapes::refinedBox(meshBox(), refine)})
+         {shapes::boxInput(shapes::oblongBox()),
+          shapes::perturbedBox(shapes::oblongBox()),
+          shapes::tetrahedralBox(shapes::oblongBox()),
+          shapes::refinedBox(shapes::oblongBox(), refine)})
     {
         for (const shapes::Shape& shape :
              {shapes::sphere(point(1.1, 0.93, 1.02), 0.55),
@@ -161,7 +157,7 @@ TEST(GivenInterface, repeatsWhatWasExtracted)
 // different sizes.
 TEST(GivenInterface, repeatsPointsOnFaces)
 {
-    shapes::BoxOptions graded = meshBox();
+    shapes::BoxOptions graded = shapes::oblongBox();
     graded.map = [](const point& x)
     { return point(x.x() * (0.6 + 0.3 * x.x()), x.y() * (1.4 - 0.3 * x.y()), x.z()); };
     const auto complex = shapes::box(graded);
@@ -178,7 +174,7 @@ TEST(GivenInterface, repeatsPointsOnFaces)
 // it.
 TEST(GivenInterface, theSizeTellsTheCell)
 {
-    shapes::BoxOptions graded = meshBox();
+    shapes::BoxOptions graded = shapes::oblongBox();
     graded.map = [](const point& x) { return point(x.x() * x.x(), x.y(), x.z()); };
     const auto complex = shapes::box(graded);
     const FlowSnapshot snapshot =
@@ -206,7 +202,7 @@ TEST(GivenInterface, theSizeTellsTheCell)
 TEST(GivenInterface, pointsAtOnePlaceAreOne)
 {
     const FlowSnapshot snapshot = ball();
-    const ReconstructionResult before = extract(snapshot, "isoAlpha");
+    const ReconstructionResult before = extracted(snapshot, "isoAlpha");
     const ReconstructionResult after =
         put(snapshot, tornApart(before.mesh, Welding::byPosition));
     EXPECT_EQ(after.mesh.points.size(), before.mesh.points.size());
@@ -224,7 +220,7 @@ TEST(GivenInterface, pointsAtOnePlaceAreOne)
 TEST(GivenInterface, volumeFollowsTheOrientation)
 {
     const FlowSnapshot snapshot = ball();
-    const ReconstructionResult before = extract(snapshot, "isoAlpha");
+    const ReconstructionResult before = extracted(snapshot, "isoAlpha");
     GivenSurface surface = ofMesh(before.mesh);
     for (triFace& t : surface.triangles)
     {
@@ -237,7 +233,7 @@ TEST(GivenInterface, volumeFollowsTheOrientation)
 TEST(GivenInterface, whatIsNotUsedIsDropped)
 {
     const FlowSnapshot snapshot = ball();
-    GivenSurface surface = ofMesh(extract(snapshot, "isoAlpha").mesh);
+    GivenSurface surface = ofMesh(extracted(snapshot, "isoAlpha").mesh);
     const label n = surface.points.size();
     surface.points.append(point(0.5, 0.5, 0.5)); // no triangle's
     surface.points.append(point(surface.points[0]));
@@ -253,7 +249,7 @@ TEST(GivenInterface, singlePrecisionIsNotOutside)
 {
     const FlowSnapshot snapshot =
         boxSnapshot(shapes::sphere(point(1.1, 0.93, 1.02), 0.55));
-    const InterfaceMesh before = extract(snapshot, "isoAlpha").mesh;
+    const InterfaceMesh before = extracted(snapshot, "isoAlpha").mesh;
     GivenSurface surface = ofMesh(before);
     label nBeyond = 0;
     for (point& x : surface.points)
@@ -275,7 +271,7 @@ TEST(GivenInterface, singlePrecisionIsNotOutside)
 TEST(GivenInterface, mistakesNameTheFile)
 {
     const FlowSnapshot snapshot = ball();
-    const GivenSurface good = ofMesh(extract(snapshot, "isoAlpha").mesh);
+    const GivenSurface good = ofMesh(extracted(snapshot, "isoAlpha").mesh);
     EXPECT_EQ(complaint(snapshot, good), "");
 
     GivenSurface bad = good;
@@ -290,14 +286,14 @@ TEST(GivenInterface, mistakesNameTheFile)
         EXPECT_TRUE(has(complaint(snapshot, bad), "whole.vtp has a point outside"))
             << x;
     }
-    bad = tornApart(extract(snapshot, "isoAlpha").mesh, Welding::byName);
+    bad = tornApart(extracted(snapshot, "isoAlpha").mesh, Welding::byName);
     bad.points[5].y() += 1e-3;
     EXPECT_TRUE(has(complaint(snapshot, bad), "torn.vtp has points of the same number")
     );
     bad = good;
     bad.triangles.clear();
     EXPECT_TRUE(has(complaint(snapshot, bad), "whole.vtp has no triangles"));
-    EXPECT_THROW(extract(snapshot, "fromFiles"), BadInput);
+    EXPECT_THROW(extracted(snapshot, "fromFiles"), BadInput);
 }
 
 TEST(GivenInterface, nowhereIsAnEmptyMesh)

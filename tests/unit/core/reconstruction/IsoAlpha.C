@@ -17,7 +17,7 @@ using namespace Foam::stability;
 namespace
 {
 
-ReconstructionOptions smoothed(label pairs)
+ReconstructionOptions smoothedIsoAlpha(label pairs)
 {
     ReconstructionOptions options;
     options.smooth = pairs;
@@ -65,7 +65,7 @@ pointField sorted(pointField points)
 TEST(IsoAlpha, ballOfExactFractions)
 {
     const shapes::BallErrors errors =
-        shapes::ballErrors(*std::make_unique<IsoAlpha>(smoothed(0)), 6);
+        shapes::ballErrors(*std::make_unique<IsoAlpha>(smoothedIsoAlpha(0)), 6);
     EXPECT_GT(errors.meanVolume, -0.013);
     EXPECT_LT(errors.meanVolume, -0.008);
     EXPECT_LT(errors.largestDistance, 0.2);
@@ -76,8 +76,10 @@ TEST(IsoAlpha, ballOfExactFractions)
 
 TEST(IsoAlpha, smoothingFlattensTheStaircase)
 {
-    const shapes::BallErrors five = shapes::ballErrors(IsoAlpha(smoothed(5)), 3);
-    const shapes::BallErrors ten = shapes::ballErrors(IsoAlpha(smoothed(10)), 3);
+    const shapes::BallErrors five =
+        shapes::ballErrors(IsoAlpha(smoothedIsoAlpha(5)), 3);
+    const shapes::BallErrors ten =
+        shapes::ballErrors(IsoAlpha(smoothedIsoAlpha(10)), 3);
     EXPECT_LT(mag(five.meanArea), 0.005);
     EXPECT_LT(mag(ten.meanArea), 0.005);
     EXPECT_LT(five.largestDistance, 0.14);
@@ -88,7 +90,7 @@ TEST(IsoAlpha, smoothingFlattensTheStaircase)
 // B17, a plane that moves through the cells.
 TEST(IsoAlpha, movingPlane)
 {
-    const scalar largest = shapes::planeError(IsoAlpha(smoothed(0)));
+    const scalar largest = shapes::planeError(IsoAlpha(smoothedIsoAlpha(0)));
     EXPECT_LT(largest, 0.2);
     EXPECT_GT(largest, 0.05);
 }
@@ -100,7 +102,7 @@ TEST(IsoAlpha, alignedPlaneAfterWholeCellsIsExact)
     const auto complex = shapes::unitCube(10);
     const shapes::Shape shape = shapes::halfSpace(point(0.6, 0, 0), vector(1, 0, 0));
     const auto result =
-        IsoAlpha(smoothed(0)).extract(shapes::snapshotOf(complex, shape));
+        IsoAlpha(smoothedIsoAlpha(0)).extract(shapes::snapshotOf(complex, shape));
     EXPECT_NEAR(result.volume, 0.6, 1e-3 * 0.05);
     EXPECT_NEAR(result.mesh.area(), 1, 1e-5);
     EXPECT_LT(mag(result.volumeError()), 1e-4);
@@ -126,7 +128,7 @@ TEST(IsoAlpha, numberingDoesNotChangeTheSurface)
         alpha[celli] = ball(plain->cellCentres()[celli]) < 0;
         reversed[n - 1 - celli] = alpha[celli];
     }
-    const IsoAlpha method(smoothed(0));
+    const IsoAlpha method(smoothedIsoAlpha(0));
     const auto a = method.extract(shapes::snapshotOf(plain, alpha));
     const auto b = method.extract(shapes::snapshotOf(other, reversed));
     ASSERT_GT(a.mesh.points.size(), 500);
@@ -161,7 +163,7 @@ TEST(IsoAlpha, facesInPiecesStayManifold)
     scalarField alpha(36, 0.1);
     alpha[owner] = 0.9;
     const auto result =
-        IsoAlpha(smoothed(0))
+        IsoAlpha(smoothedIsoAlpha(0))
             .extract(shapes::snapshotOf(shapes::complexOf(input), alpha));
     const shapes::SurfaceReport report = shapes::inspect(result.mesh);
     EXPECT_GT(result.mesh.triangles.size(), 10);

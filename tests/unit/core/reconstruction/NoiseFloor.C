@@ -59,7 +59,7 @@ Floors floorsOf(
         noiseQuantile(errors, all, alone)};
 }
 
-const shapes::Shape ball = shapes::sphere(point(9.137, 8.732, 9.281), 4.8);
+const shapes::Shape smallBall = shapes::sphere(point(9.137, 8.732, 9.281), 4.8);
 const shapes::Shape ring =
     shapes::torus(point(17.137, 16.732, 17.281), vector(1, 2, 3), 9, 4.8);
 
@@ -68,7 +68,7 @@ const shapes::Shape ring =
 TEST(NoiseFloor, ofSharpenedInterfacesIsThatOfTheTruth)
 {
     const Floors floors[] = {
-        floorsOf(18, ball, "isoAlpha", Sharpening::automatic),
+        floorsOf(18, smallBall, "isoAlpha", Sharpening::automatic),
         floorsOf(34, ring, "isoAlpha", Sharpening::automatic)};
     for (const Floors& f : floors)
     {
@@ -82,7 +82,7 @@ TEST(NoiseFloor, ofRawInterfacesIsThatOfTheTruth)
 {
     for (const char* method : {"isoAlpha", "bonnell"})
     {
-        const Floors f = floorsOf(18, ball, method, Sharpening::none);
+        const Floors f = floorsOf(18, smallBall, method, Sharpening::none);
         EXPECT_GT(f.told, 0.1);
         EXPECT_LT(f.told, 0.6);
         EXPECT_GT(f.told, f.truth / 3);
@@ -93,8 +93,8 @@ TEST(NoiseFloor, ofRawInterfacesIsThatOfTheTruth)
 TEST(NoiseFloor, threadsChangeNothing)
 {
     EXPECT_EQ(
-        floorsOf(18, ball, "isoAlpha", Sharpening::none, 1).told,
-        floorsOf(18, ball, "isoAlpha", Sharpening::none, 4).told
+        floorsOf(18, smallBall, "isoAlpha", Sharpening::none, 1).told,
+        floorsOf(18, smallBall, "isoAlpha", Sharpening::none, 4).told
     );
 }
 

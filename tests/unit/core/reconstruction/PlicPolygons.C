@@ -19,7 +19,7 @@ using namespace Foam::stability;
 namespace
 {
 
-const point middle(0.61, 0.47, 0.53);
+const point centreOfBall(0.61, 0.47, 0.53);
 
 shapes::BoxOptions meshBox(label n)
 {
@@ -70,7 +70,7 @@ TEST(PlicPolygons, eachPolygonCutsItsCellAtAlpha)
     {
         const auto complex = shapes::complexOf(input);
         const FlowSnapshot snapshot =
-            shapes::snapshotOf(complex, shapes::sphere(middle, 0.35));
+            shapes::snapshotOf(complex, shapes::sphere(centreOfBall, 0.35));
         const InterfaceMesh mesh = extract(snapshot).mesh;
         const Rows polygons = trianglesOfPolygons(mesh);
         List<bool> seen(complex->nCells(), false);
@@ -103,13 +103,13 @@ TEST(PlicPolygons, aBallIsCoveredAndFacesOutwards)
     {
         const auto complex = shapes::complexOf(input);
         const auto result =
-            extract(shapes::snapshotOf(complex, shapes::sphere(middle, radius)));
+            extract(shapes::snapshotOf(complex, shapes::sphere(centreOfBall, radius)));
         const InterfaceMesh& mesh = result.mesh;
         EXPECT_NEAR(mesh.area() / (4 * M_PI * sqr(radius)), 1, 0.03);
         scalar outwards = 0;
         forAll(mesh.triangles, trianglei)
         {
-            const vector arm = mesh.centre(trianglei) - middle;
+            const vector arm = mesh.centre(trianglei) - centreOfBall;
             outwards += (arm & mesh.areaVector(trianglei)) / mag(arm);
         }
         EXPECT_GT(outwards / mesh.area(), 0.98);
@@ -130,7 +130,7 @@ TEST(PlicPolygons, cornersOnWallsKnowTheirFace)
         const boundBox& bounds = complex->bounds();
         const InterfaceMesh mesh =
             extract(shapes::snapshotOf(
-                        complex, shapes::halfSpace(middle, vector(1, 0.7, -0.4))
+                        complex, shapes::halfSpace(centreOfBall, vector(1, 0.7, -0.4))
                     ))
                 .mesh;
         label nOnWalls = 0;
@@ -221,7 +221,7 @@ TEST(PlicPolygons, anObliquePlaneIsNotCoveredTwice)
              {vector(0.02, 0.05, 1), vector(-0.11, 0.07, 1), vector(0.3, 0.2, 1)})
         {
             const FlowSnapshot snapshot =
-                shapes::snapshotOf(complex, shapes::halfSpace(middle, normal));
+                shapes::snapshotOf(complex, shapes::halfSpace(centreOfBall, normal));
             const scalarField& alpha = snapshot.alphas[0];
             label nJumps = 0;
             for (label facei = 0; facei < complex->nInternalFaces(); ++facei)
@@ -260,7 +260,7 @@ TEST(PlicPolygons, threadsDoNotMatter)
 {
     const auto complex = shapes::complexOf(shapes::perturbedBox(meshBox(10)));
     const FlowSnapshot snapshot =
-        shapes::snapshotOf(complex, shapes::sphere(middle, 0.35));
+        shapes::snapshotOf(complex, shapes::sphere(centreOfBall, 0.35));
     const InterfaceMesh one = extract(snapshot).mesh;
     const InterfaceMesh three = extract(snapshot, 3).mesh;
     EXPECT_GT(one.points.size(), 500);

@@ -19,36 +19,28 @@ using namespace Foam::stability;
 namespace
 {
 
-shapes::BoxOptions meshBox()
-{
-    shapes::BoxOptions options;
-    options.max = point(1.2, 1, 1.1);
-    options.n = Vector<label>(10, 9, 11);
-    return options;
-}
-
 CellComplexInput inputNamed(const std::string& name)
 {
     if (name == "box")
     {
-        return shapes::boxInput(meshBox());
+        return shapes::boxInput(shapes::oblongBox());
     }
     if (name == "perturbed")
     {
-        return shapes::perturbedBox(meshBox());
+        return shapes::perturbedBox(shapes::oblongBox());
     }
     if (name == "tetrahedra")
     {
-        return shapes::tetrahedralBox(meshBox());
+        return shapes::tetrahedralBox(shapes::oblongBox());
     }
     return shapes::refinedBox(
-        meshBox(),
+        shapes::oblongBox(),
         [](const point& x) { return x.x() + 0.3 * x.y() > 0.7 && x.z() < 0.7; }
     );
 }
 
 ReconstructionResult
-extract(const FlowSnapshot& snapshot, const std::string& method, label smooth = 0)
+smoothed(const FlowSnapshot& snapshot, const std::string& method, label smooth = 0)
 {
     ReconstructionOptions options;
     options.method = method;
@@ -176,7 +168,7 @@ TEST_P(OnEveryMesh, surfacesThatMeetWallsAreManifoldsWithRims)
     {
         for (const shapes::Shape& shape : {cornerBall(), obliquePlane()})
         {
-            const auto result = extract(of(shape), method(), smooth);
+            const auto result = smoothed(of(shape), method(), smooth);
             expectSound(result.mesh);
             const shapes::SurfaceReport report = shapes::inspect(result.mesh);
             EXPECT_EQ(report.euler, 1); // a disk
@@ -188,7 +180,7 @@ TEST_P(OnEveryMesh, surfacesThatMeetWallsAreManifoldsWithRims)
 
 TEST_P(OnEveryMesh, aBallIsAClosedSphere)
 {
-    const auto result = extract(of(innerBall()), method());
+    const auto result = smoothed(of(innerBall()), method());
     expectSound(result.mesh);
     const shapes::SurfaceReport report = shapes::inspect(result.mesh);
     EXPECT_EQ(report.nRim, 0);
@@ -200,7 +192,7 @@ TEST_P(OnEveryMesh, aBallIsAClosedSphere)
 // Each triangle with an area worth the name faces from the ball outwards, roughly.
 TEST_P(OnEveryMesh, trianglesFaceTheSecondMaterial)
 {
-    const auto result = extract(of(innerBall()), method());
+    const auto result = smoothed(of(innerBall()), method());
     scalar outwards = 0;
     forAll(result.mesh.triangles, trianglei)
     {
@@ -214,15 +206,15 @@ TEST_P(OnEveryMesh, volumeIsThatOfTheMesh)
 {
     for (const label smooth : {0, 7})
     {
-        const auto ball = extract(of(innerBall()), method(), smooth);
+        const auto ball = smoothed(of(innerBall()), method(), smooth);
         EXPECT_NEAR(shapes::enclosedVolume(ball.mesh) / ball.volume, 1, 1e-11);
 
         // What one material gains at the walls the other one loses; but a value of
         // exactly 1/2 (the mean of a wet and a dry face) is inside for both, and its
         // slivers of 1e-3 of an edge count twice.
         const FlowSnapshot snapshot = of(cornerBall());
-        const auto first = extract(snapshot, method(), smooth);
-        const auto second = extract(complementOf(snapshot), method(), smooth);
+        const auto first = smoothed(snapshot, method(), smooth);
+        const auto second = smoothed(complementOf(snapshot), method(), smooth);
         EXPECT_NEAR(
             scalar(first.mesh.triangles.size()) / second.mesh.triangles.size(), 1, 0.01
         );
@@ -242,7 +234,7 @@ TEST_P(OnEveryMesh, sharpStartIsOrdinary)
     {
         alpha[celli] = column(complex_->cellCentres()[celli]) < 0;
     }
-    const auto result = extract(shapes::snapshotOf(complex_, alpha), method());
+    const auto result = smoothed(shapes::snapshotOf(complex_, alpha), method());
     expectSound(result.mesh);
     EXPECT_EQ(shapes::inspect(result.mesh).euler, 1);
     EXPECT_LT(mag(result.volumeError()), 0.06);
@@ -263,13 +255,13 @@ TEST_P(OnEveryMesh, noiseGivesAManifold)
     {
         a = uniform();
     }
-    const auto first = extract(snapshot, method());
+    const auto first = smoothed(snapshot, method());
     const shapes::SurfaceReport report = shapes::inspect(first.mesh);
     EXPECT_GT(first.mesh.triangles.size(), 5000);
     EXPECT_EQ(report.nCrowded, 0);
     EXPECT_EQ(report.nRimInside, 0);
     EXPECT_EQ(report.nMisoriented, 0);
-    const auto second = extract(complementOf(snapshot), method());
+    const auto second = smoothed(complementOf(snapshot), method());
     EXPECT_NEAR(
         (first.volume + second.volume) / sum(complex_->cellVolumes()), 1, 1e-11
     );
@@ -279,14 +271,14 @@ TEST_P(OnEveryMesh, noiseGivesAManifold)
 TEST_P(OnEveryMesh, scaleDoesNotMatter)
 {
     const scalarField alpha = shapes::exactAlpha(*complex_, cornerBall());
-    const auto plain = extract(shapes::snapshotOf(complex_, alpha), method(), 3);
+    const auto plain = smoothed(shapes::snapshotOf(complex_, alpha), method(), 3);
     for (const scalar scale : {1e-5, 1e3})
     {
         const vector shift = scale * vector(0.37, -2.1, 0.83);
         const auto complex = shapes::complexOf(
             shapes::transformed(inputNamed(std::get<1>(GetParam())), scale, shift)
         );
-        const auto scaled = extract(shapes::snapshotOf(complex, alpha), method(), 3);
+        const auto scaled = smoothed(shapes::snapshotOf(complex, alpha), method(), 3);
         ASSERT_EQ(scaled.mesh.points.size(), plain.mesh.points.size());
         ASSERT_EQ(scaled.mesh.triangles.size(), plain.mesh.triangles.size());
         EXPECT_EQ(shapes::inspect(scaled.mesh).euler, 1);
@@ -305,7 +297,7 @@ TEST_P(OnEveryMesh, nowhereIsAnEmptyMesh)
     for (const scalar value : {0.0, 0.3, 0.5, 1.0})
     {
         const scalarField alpha(complex_->nCells(), value);
-        const auto result = extract(shapes::snapshotOf(complex_, alpha), method(), 2);
+        const auto result = smoothed(shapes::snapshotOf(complex_, alpha), method(), 2);
         EXPECT_TRUE(result.mesh.empty());
         EXPECT_EQ(result.mesh.points.size(), 0);
         const scalar whole = sum(complex_->cellVolumes());
@@ -314,7 +306,7 @@ TEST_P(OnEveryMesh, nowhereIsAnEmptyMesh)
     }
     const auto nothing =
         shapes::snapshotOf(complex_, scalarField(complex_->nCells(), 0));
-    EXPECT_EQ(extract(nothing, method()).volumeError(), 0);
+    EXPECT_EQ(smoothed(nothing, method()).volumeError(), 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -337,7 +329,7 @@ TEST(Reconstruction, aFilmOnAWallAloneIsFound)
     }
     for (const std::string method : {"isoAlpha", "bonnell"})
     {
-        const auto result = extract(snapshot, method);
+        const auto result = smoothed(snapshot, method);
         EXPECT_FALSE(result.mesh.empty()) << method;
         EXPECT_EQ(shapes::inspect(result.mesh).nRimInside, 0) << method;
         EXPECT_GT(result.volume, 0) << method;
@@ -349,10 +341,10 @@ TEST(Reconstruction, theSecondOfTwoMaterialsIsImplied)
     const auto complex = shapes::unitCube(8);
     FlowSnapshot snapshot =
         shapes::snapshotOf(complex, shapes::sphere(point(0.5, 0.47, 0.52), 0.3));
-    const auto one = extract(snapshot, "bonnell");
+    const auto one = smoothed(snapshot, "bonnell");
     snapshot.alphas.append(scalarField(1 - snapshot.alphas[0]));
     snapshot.boundaryAlphas.append(scalarField(1 - snapshot.boundaryAlphas[0]));
-    const auto two = extract(snapshot, "bonnell");
+    const auto two = smoothed(snapshot, "bonnell");
     EXPECT_GT(one.mesh.triangles.size(), 0);
     EXPECT_EQ(one.mesh.triangles, two.mesh.triangles);
     EXPECT_EQ(one.mesh.points, two.mesh.points);
@@ -367,7 +359,7 @@ TEST(Reconstruction, threeMaterialsAreRefused)
     snapshot.boundaryAlphas = List<scalarField>(3, snapshot.boundaryAlphas[0]);
     for (const std::string& method : Reconstruction::names())
     {
-        EXPECT_THROW(extract(snapshot, method), BadInput);
+        EXPECT_THROW(smoothed(snapshot, method), BadInput);
     }
 }
 

@@ -2,6 +2,7 @@
 // Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/surface/TaubinSmoothing.H"
+#include "mathematicalConstants.H"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +14,7 @@ using namespace Foam::stability;
 namespace
 {
 
-constexpr scalar pi = 3.14159265358979323846;
+using constant::mathematical::pi;
 
 // A sheet of n x n squares, z(i, j), its rim on four walls: -x +x -y +y.
 InterfaceMesh sheet(label n, const std::function<scalar(label, label)>& height)

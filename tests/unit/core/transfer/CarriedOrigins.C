@@ -17,12 +17,13 @@ using namespace Foam::stability::shapes;
 namespace
 {
 
-constexpr scalar h = 0.25;
+constexpr scalar sizeOfCells = 0.25;
 
 // Regions that meet at (bend, 0.25) on the line x = bend: 0 | 1 below, 2 above.
 InterfaceMesh sheet(scalar bend, const vector2D& shift)
 {
-    InterfaceMesh mesh = flatSheet(vector2D(-1, -1), vector2D(1, 1), 8, 8, 0.5, h);
+    InterfaceMesh mesh =
+        flatSheet(vector2D(-1, -1), vector2D(1, 1), 8, 8, 0.5, sizeOfCells);
     const auto region = [](const point& x) {
         return x.x() < 0 ? 0 : x.y() < 0.25 ? 1 : 2;
     };
@@ -52,7 +53,7 @@ InterfaceMesh sheet(scalar bend, const vector2D& shift)
 InterfaceMesh carried(const InterfaceMesh& T, const StartChart& chart)
 {
     InterfaceMesh mesh =
-        flatSheet(vector2D(-0.6, -0.7), vector2D(0.9, 0.8), 9, 8, 0.51, h);
+        flatSheet(vector2D(-0.6, -0.7), vector2D(0.9, 0.8), 9, 8, 0.51, sizeOfCells);
     MatchingOptions matching;
     const MatchTarget target(T, matching);
     List<Match> matches = matchPoints(mesh, target, matching);
@@ -104,7 +105,7 @@ TEST(CarriedOrigins, bringSeamsToWhereTheyBegan)
     ASSERT_GT(crept.size(), 15);
     ASSERT_GT(settled.size(), 15);
     EXPECT_GT(farthest(crept), 0.007);
-    EXPECT_LT(farthest(settled), 1e-3 * h);
+    EXPECT_LT(farthest(settled), 1e-3 * sizeOfCells);
 }
 
 TEST(CarriedOrigins, bringMeetingsToWhereTheyBegan)

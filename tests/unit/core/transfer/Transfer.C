@@ -55,7 +55,7 @@ struct Transferred
     TransferResult result;
 };
 
-Transferred carry(
+Transferred carried(
     const InterfaceMesh& from, const InterfaceMesh& to, const TransferOptions& options,
     scalar epsilon = 0.5
 )
@@ -82,7 +82,7 @@ TEST(Transfer, interpolatesParameterAndOrigin)
     {
         TransferOptions options;
         options.seamTreatment = seamTreatment;
-        const Transferred t = carry(target(0.1, h), freshMesh(h), options);
+        const Transferred t = carried(target(0.1, h), freshMesh(h), options);
         forAll(t.mesh.points, pointi)
         {
             point x = t.mesh.points[pointi];
@@ -114,7 +114,7 @@ TEST(Transfer, whatIsAttachedStartsHereWithoutParameter)
     {
         x.z() = x.x() > 0.6 ? 0.9 * h : 0; // a step away from T
     }
-    const Transferred t = carry(target(0, h), m, TransferOptions());
+    const Transferred t = carried(target(0, h), m, TransferOptions());
     label nAttached = 0;
     forAll(m.points, pointi)
     {
@@ -156,7 +156,7 @@ TEST(Transfer, largestWeightDecidesWhereCornersLackP)
             }
         }
     }
-    const Transferred t = carry(from, freshMesh(h), TransferOptions());
+    const Transferred t = carried(from, freshMesh(h), TransferOptions());
     label nExtrapolated = 0, nWithout = 0;
     forAll(t.mesh.triangles, trianglei)
     {
@@ -200,7 +200,7 @@ TEST(Transfer, aLonelyParameterIsTakenAsItIs)
             point(0.6, 0.1, 0.1), point(0.7, 0.2, 0.1), point(0.1, 0.6, 0.1)}),
         List<triFace>{triFace(0, 1, 2)}, 1
     );
-    const Transferred t = carry(from, to, TransferOptions());
+    const Transferred t = carried(from, to, TransferOptions());
     EXPECT_EQ(parameterOf(t.mesh, 0, 0), vector2D(0.3, 0.7));
     EXPECT_EQ(parameterOf(t.mesh, 0, 1), vector2D(0.3, 0.7));
     EXPECT_EQ(t.mesh.corners[0][2], InterfaceMesh::noParameter);
@@ -230,7 +230,7 @@ TEST(Transfer, mergersAreCountedAndUntrackedOnDemand)
     {
         TransferOptions options;
         options.merge = merge;
-        const Transferred t = carry(from, m, options);
+        const Transferred t = carried(from, m, options);
         label merged = 0;
         forAll(t.mesh.triangles, trianglei)
         {
@@ -258,11 +258,11 @@ TEST(Transfer, nothingIsCarriedFromOrToNothing)
 {
     InterfaceMesh empty;
     complete(empty, 0.4);
-    const Transferred from = carry(empty, freshMesh(0.4), TransferOptions());
+    const Transferred from = carried(empty, freshMesh(0.4), TransferOptions());
     EXPECT_EQ(from.mesh.origins, from.mesh.points);
     EXPECT_EQ(from.mesh.parameters.size(), 0);
     EXPECT_EQ(from.mesh.corners[3], CornerIndices(-1));
-    const Transferred to = carry(target(0, 0.4), empty, TransferOptions());
+    const Transferred to = carried(target(0, 0.4), empty, TransferOptions());
     EXPECT_EQ(to.mesh.points.size(), 0);
     EXPECT_EQ(to.mesh.triangles.size(), 0);
 }

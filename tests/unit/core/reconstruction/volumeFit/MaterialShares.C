@@ -14,14 +14,6 @@ using namespace Foam::stability;
 namespace
 {
 
-std::shared_ptr<const CellComplex> boxOf(label n)
-{
-    shapes::BoxOptions options;
-    options.max = point(n, n, n);
-    options.n = Vector<label>(n, n, n);
-    return shapes::box(options);
-}
-
 struct Shares
 {
     InterfaceMesh mesh;
@@ -48,23 +40,13 @@ Shares sharesOf(
     return result;
 }
 
-scalar materialIn(const CellComplex& complex, const scalarField& alpha)
-{
-    scalar sum = 0;
-    forAll(alpha, celli)
-    {
-        sum += alpha[celli] * complex.cellVolumes()[celli];
-    }
-    return sum;
-}
-
 } // namespace
 
 // The whole of alpha, though the raw surface lacks some percent, and a wisp that hangs
 // together with the ball counts.
 TEST(MaterialShares, aBallHasAllOfAlpha)
 {
-    const auto complex = boxOf(14);
+    const auto complex = shapes::box(shapes::boxOf(14));
     scalarField alpha =
         shapes::exactAlpha(*complex, shapes::sphere(point(7.1, 6.8, 7.3), 3.7));
     for (const scalar wisp : {0.0, 0.1})
@@ -73,7 +55,7 @@ TEST(MaterialShares, aBallHasAllOfAlpha)
         const Shares found = sharesOf(complex, alpha);
         ASSERT_EQ(found.shares.size(), 1u);
         EXPECT_GT(found.shares[0].gain, 0.02 * found.pieces[0].volume);
-        EXPECT_NEAR(found.target(0) / materialIn(*complex, alpha), 1, 1e-11);
+        EXPECT_NEAR(found.target(0) / shapes::materialIn(*complex, alpha), 1, 1e-11);
         EXPECT_EQ(found.shares[0].openVolume, 0);
     }
 }
@@ -82,7 +64,7 @@ TEST(MaterialShares, aBallHasAllOfAlpha)
 // are cut by both.
 TEST(MaterialShares, aBubbleInADropHasItsOwn)
 {
-    const auto complex = boxOf(18);
+    const auto complex = shapes::box(shapes::boxOf(18));
     const scalarField outer =
         shapes::exactAlpha(*complex, shapes::sphere(point(9.1, 8.8, 9.3), 6.2));
     for (const scalar shift : {0.0, 1.9})
@@ -96,11 +78,12 @@ TEST(MaterialShares, aBubbleInADropHasItsOwn)
         for (std::size_t i = 0; i < 2; ++i)
         {
             const bool bubble = found.pieces[i].volume < 0;
-            const scalar truth = materialIn(*complex, bubble ? inner : outer);
+            const scalar truth = shapes::materialIn(*complex, bubble ? inner : outer);
             EXPECT_NEAR(mag(found.target(i)) / truth, 1, tolerance);
         }
         EXPECT_NEAR(
-            found.target(0) + found.target(1), materialIn(*complex, outer - inner), 1e-5
+            found.target(0) + found.target(1),
+            shapes::materialIn(*complex, outer - inner), 1e-5
         );
     }
 }
@@ -108,7 +91,7 @@ TEST(MaterialShares, aBubbleInADropHasItsOwn)
 // Next to a film that ends at the walls alpha is not the ball's alone.
 TEST(MaterialShares, whatIsSharedWithAFilmIsTold)
 {
-    const auto complex = boxOf(16);
+    const auto complex = shapes::box(shapes::boxOf(16));
     const scalarField film = shapes::exactAlpha(
         *complex, shapes::halfSpace(point(0, 0, 2.4), vector(0, 0.02, 1))
     );
@@ -130,7 +113,9 @@ TEST(MaterialShares, whatIsSharedWithAFilmIsTold)
             if (height > 8)
             {
                 EXPECT_EQ(found.shares[i].openVolume, 0);
-                EXPECT_NEAR(found.target(i) / materialIn(*complex, ball), 1, 1e-11);
+                EXPECT_NEAR(
+                    found.target(i) / shapes::materialIn(*complex, ball), 1, 1e-11
+                );
             }
             else
             {
@@ -143,7 +128,7 @@ TEST(MaterialShares, whatIsSharedWithAFilmIsTold)
 
 TEST(MaterialShares, threadsDoNotMatter)
 {
-    const auto complex = boxOf(16);
+    const auto complex = shapes::box(shapes::boxOf(16));
     const scalarField alpha = shapes::exactAlpha(
         *complex, shapes::unionOf(
                       shapes::sphere(point(4.6, 5.1, 7.2), 2.8),

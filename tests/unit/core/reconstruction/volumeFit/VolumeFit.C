@@ -36,32 +36,15 @@ ReconstructionResult fitted(
     return Reconstruction::New(options)->extract(snapshot);
 }
 
-shapes::BoxOptions boxOf(label n)
-{
-    shapes::BoxOptions options;
-    options.max = point(n, n, n);
-    options.n = Vector<label>(n, n, n);
-    return options;
-}
-
 // Hexahedra, perturbed, tetrahedra, 2:1.
 std::vector<Complex> meshes(label n)
 {
     const auto refine = [=](const point& x) { return x.x() > 0.5 * n; };
     return {
-        shapes::box(boxOf(n)), shapes::complexOf(shapes::perturbedBox(boxOf(n))),
-        shapes::complexOf(shapes::tetrahedralBox(boxOf(n))),
-        shapes::complexOf(shapes::refinedBox(boxOf(n), refine))};
-}
-
-scalar materialIn(const CellComplex& complex, const scalarField& alpha)
-{
-    scalar sum = 0;
-    forAll(alpha, celli)
-    {
-        sum += alpha[celli] * complex.cellVolumes()[celli];
-    }
-    return sum;
+        shapes::box(shapes::boxOf(n)),
+        shapes::complexOf(shapes::perturbedBox(shapes::boxOf(n))),
+        shapes::complexOf(shapes::tetrahedralBox(shapes::boxOf(n))),
+        shapes::complexOf(shapes::refinedBox(shapes::boxOf(n), refine))};
 }
 
 // Of the closed pieces, ascending; bubbles are negative [m3].
@@ -136,7 +119,7 @@ TEST(VolumeFit, sphereOnAllCells)
     for (const Complex& complex : meshes(18))
     {
         const FlowSnapshot snapshot = shapes::snapshotOf(complex, ball);
-        const scalar truth = materialIn(*complex, snapshot.alphas[0]);
+        const scalar truth = shapes::materialIn(*complex, snapshot.alphas[0]);
         const ReconstructionResult before = fitted(snapshot, VolumeFit::none);
         const ReconstructionResult after = fitted(snapshot);
         EXPECT_FALSE(before.volumeFit);
@@ -163,13 +146,14 @@ TEST(VolumeFit, sphereOnAllCells)
 
 TEST(VolumeFit, torusAndUnsharpenedSphere)
 {
-    const Complex complex = shapes::box(boxOf(26));
+    const Complex complex = shapes::box(shapes::boxOf(26));
     const FlowSnapshot ring = shapes::snapshotOf(
         complex, torus(point(13.137, 12.732, 13.281), vector(1, 2, 3), 7, 3.3)
     );
     const ReconstructionResult fit = fitted(ring);
     EXPECT_NEAR(
-        shapes::enclosedVolume(fit.mesh) / materialIn(*complex, ring.alphas[0]), 1, 1e-8
+        shapes::enclosedVolume(fit.mesh) / shapes::materialIn(*complex, ring.alphas[0]),
+        1, 1e-8
     );
     expectSound(fit.mesh, fitted(ring, VolumeFit::none).mesh);
 
@@ -196,15 +180,15 @@ TEST(VolumeFit, bubbleInADrop)
         const std::vector<scalar> volumes = closedVolumes(fit.mesh);
         ASSERT_EQ(volumes.size(), 2u);
         EXPECT_EQ(fit.volumeFit->nStayed(), 0);
-        EXPECT_NEAR(-volumes[0] / materialIn(*complex, inner), 1, 1e-8);
-        EXPECT_NEAR(volumes[1] / materialIn(*complex, outer), 1, 1e-8);
+        EXPECT_NEAR(-volumes[0] / shapes::materialIn(*complex, inner), 1, 1e-8);
+        EXPECT_NEAR(volumes[1] / shapes::materialIn(*complex, outer), 1, 1e-8);
     }
 }
 
 // A drop in a bubble in a drop.
 TEST(VolumeFit, nestedThrice)
 {
-    const Complex complex = shapes::box(boxOf(26));
+    const Complex complex = shapes::box(shapes::boxOf(26));
     const point centre(13.137, 12.732, 13.281);
     const auto alphaOf = [&](scalar radius)
     { return shapes::exactAlpha(*complex, shapes::sphere(centre, radius)); };
@@ -213,9 +197,9 @@ TEST(VolumeFit, nestedThrice)
         fitted(shapes::snapshotOf(complex, scalarField(a - b + c)));
     const std::vector<scalar> volumes = closedVolumes(fit.mesh);
     ASSERT_EQ(volumes.size(), 3u);
-    EXPECT_NEAR(-volumes[0] / materialIn(*complex, b), 1, 1e-8);
-    EXPECT_NEAR(volumes[1] / materialIn(*complex, c), 1, 1e-8);
-    EXPECT_NEAR(volumes[2] / materialIn(*complex, a), 1, 1e-8);
+    EXPECT_NEAR(-volumes[0] / shapes::materialIn(*complex, b), 1, 1e-8);
+    EXPECT_NEAR(volumes[1] / shapes::materialIn(*complex, c), 1, 1e-8);
+    EXPECT_NEAR(volumes[2] / shapes::materialIn(*complex, a), 1, 1e-8);
 }
 
 // Where no cell is cut by both, each has its own; else what is in such cells is divided
@@ -226,7 +210,7 @@ TEST(VolumeFit, twoBallsCloseToEachOther)
         {1, 0, 0}, {1, 0.31, 0.17}, {0.5, 0.9, -0.35}, {0.6, -0.55, 0.58}};
     const scalar tolerances[] = {1e-8, 1e-8, 3e-5, 3e-5};
     constexpr scalar large = 4.8, small = 3.7, gap = 0.9;
-    const Complex complex = shapes::box(boxOf(24));
+    const Complex complex = shapes::box(shapes::boxOf(24));
     for (label i = 0; i < 4; ++i)
     {
         const vector n = directions[i] / mag(directions[i]);
@@ -242,23 +226,26 @@ TEST(VolumeFit, twoBallsCloseToEachOther)
         ASSERT_EQ(volumes.size(), 2u);
         EXPECT_EQ(fit.volumeFit->nStayed(), 0);
         EXPECT_NEAR(fit.volumeError(), 0, 1e-8);
-        EXPECT_NEAR(volumes[0] / materialIn(*complex, second), 1, tolerances[i]);
-        EXPECT_NEAR(volumes[1] / materialIn(*complex, first), 1, tolerances[i]);
+        EXPECT_NEAR(
+            volumes[0] / shapes::materialIn(*complex, second), 1, tolerances[i]
+        );
+        EXPECT_NEAR(volumes[1] / shapes::materialIn(*complex, first), 1, tolerances[i]);
     }
 }
 
 // Nothing of the wall is the ball's, but a third of a cell is left between them.
 TEST(VolumeFit, ballNearAWall)
 {
-    const Complex complex = shapes::box(boxOf(18));
+    const Complex complex = shapes::box(shapes::boxOf(18));
     const shapes::Shape ball = shapes::sphere(point(9.137, 8.732, 5.13), 4.8);
     const FlowSnapshot snapshot = shapes::snapshotOf(complex, ball);
     const ReconstructionResult fit = fitted(snapshot);
     EXPECT_EQ(fit.volumeFit->nClosed, 1);
     EXPECT_EQ(fit.volumeFit->nStayed(), 0);
     EXPECT_NEAR(
-        shapes::enclosedVolume(fit.mesh) / materialIn(*complex, snapshot.alphas[0]), 1,
-        1e-8
+        shapes::enclosedVolume(fit.mesh)
+            / shapes::materialIn(*complex, snapshot.alphas[0]),
+        1, 1e-8
     );
     for (const point& x : fit.mesh.points)
     {
@@ -270,7 +257,7 @@ TEST(VolumeFit, ballNearAWall)
 // counted, one farther away is fitted.
 TEST(VolumeFit, filmThroughWallsAndBalls)
 {
-    const Complex complex = shapes::box(boxOf(18));
+    const Complex complex = shapes::box(shapes::boxOf(18));
     const vector n(0.05, 0.02, 1);
     const scalarField film =
         shapes::exactAlpha(*complex, shapes::halfSpace(point(0, 0, 4.7), n))
@@ -299,7 +286,7 @@ TEST(VolumeFit, filmThroughWallsAndBalls)
         ASSERT_EQ(volumes.size(), 1u);
         if (!near)
         {
-            EXPECT_NEAR(volumes[0] / materialIn(*complex, ball), 1, 1e-8);
+            EXPECT_NEAR(volumes[0] / shapes::materialIn(*complex, ball), 1, 1e-8);
         }
     }
 }
@@ -307,7 +294,7 @@ TEST(VolumeFit, filmThroughWallsAndBalls)
 // A profile over three cells: its tails are the ball's, too.
 TEST(VolumeFit, smearedSphere)
 {
-    const Complex complex = shapes::box(boxOf(24));
+    const Complex complex = shapes::box(shapes::boxOf(24));
     const point centre(12.137, 11.732, 12.281);
     scalarField alpha(complex->nCells());
     forAll(alpha, celli)
@@ -321,7 +308,8 @@ TEST(VolumeFit, smearedSphere)
         const ReconstructionResult fit = fitted(snapshot, VolumeFit::component, kind);
         EXPECT_EQ(fit.volumeFit->nStayed(), 0);
         EXPECT_NEAR(
-            shapes::enclosedVolume(fit.mesh) / materialIn(*complex, alpha), 1, 1e-6
+            shapes::enclosedVolume(fit.mesh) / shapes::materialIn(*complex, alpha), 1,
+            1e-6
         );
     }
 }
@@ -329,7 +317,7 @@ TEST(VolumeFit, smearedSphere)
 // What would have to move far stays as it is.
 TEST(VolumeFit, crumbsStay)
 {
-    const Complex complex = shapes::box(boxOf(8));
+    const Complex complex = shapes::box(shapes::boxOf(8));
     const FlowSnapshot snapshot =
         shapes::snapshotOf(complex, shapes::sphere(point(4.13, 3.73, 4.28), 0.85));
     const ReconstructionResult before = fitted(snapshot, VolumeFit::none);
@@ -343,7 +331,7 @@ TEST(VolumeFit, crumbsStay)
 
 TEST(VolumeFit, threadsDoNotMatter)
 {
-    const Complex complex = shapes::complexOf(shapes::perturbedBox(boxOf(18)));
+    const Complex complex = shapes::complexOf(shapes::perturbedBox(shapes::boxOf(18)));
     const FlowSnapshot snapshot = shapes::snapshotOf(
         complex, shapes::unionOf(
                      shapes::sphere(point(5.1, 5.9, 7.2), 3.6),
@@ -363,7 +351,7 @@ TEST(VolumeFit, threadsDoNotMatter)
 
 TEST(VolumeFit, nothingToFit)
 {
-    const Complex complex = shapes::box(boxOf(6));
+    const Complex complex = shapes::box(shapes::boxOf(6));
     const ReconstructionResult fit =
         fitted(shapes::snapshotOf(complex, scalarField(complex->nCells(), 0)));
     ASSERT_TRUE(fit.volumeFit);
