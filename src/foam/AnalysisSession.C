@@ -4,8 +4,8 @@
 #include "foam/AnalysisSession.H"
 
 #include "core/base/Errors.H"
-#include "core/base/Busy.H"
-#include "foam/ranks/OnAll.H"
+#include "core/base/ScopedTimer.H"
+#include "core/ranks/Exchange.H"
 #include "fvMesh.H"
 
 #include <cmath>
@@ -66,8 +66,8 @@ void AnalysisSession::expect(const instantList& times)
 
 std::shared_ptr<const FlowSnapshot> AnalysisSession::takeSnapshot()
 {
-    const Busy busy(readingSeconds_);
-    onAll(messages_, [&] { enter(Phase::reading); });
+    const ScopedTimer busy(readingSeconds_);
+    runOnAllRanks(messages_, [&] { enter(Phase::reading); });
     return snapshots_.take();
 }
 
@@ -81,7 +81,7 @@ void AnalysisSession::prepareResults()
     path_ = resultPath();
     if (controls_.writeToFile)
     {
-        onMaster(
+        runOnMaster(
             messages_,
             [&] {
                 folder_ =
@@ -95,7 +95,7 @@ void AnalysisSession::prepareResults()
 
 void AnalysisSession::advance()
 {
-    const Busy busy(busySeconds_);
+    const ScopedTimer busy(busySeconds_);
     phase_ = Phase::reading;
     time_ = snapshots_.time();
     if (meshChanged_)
@@ -125,7 +125,7 @@ bool AnalysisSession::isClassified() const
 
 scalar AnalysisSession::displacement()
 {
-    const Busy busy(busySeconds_);
+    const ScopedTimer busy(busySeconds_);
     return tracker_.started() ? tracker_.displacement() : 0;
 }
 
@@ -135,15 +135,15 @@ void AnalysisSession::classify()
     {
         return;
     }
-    std::optional<Busy> busy(busySeconds_);
+    std::optional<ScopedTimer> busy(busySeconds_);
     latest_ = nullptr;
     const Classification& classification = tracker_.classify();
     statistics_ = classification.statistics;
     ++nClassified_;
     latest_ = &classification;
     filesWritten_ = false;
-    onAll(messages_, [&] { enter(Phase::writing); });
-    onMaster(
+    runOnAllRanks(messages_, [&] { enter(Phase::writing); });
+    runOnMaster(
         messages_,
         [&]
         {
@@ -164,7 +164,7 @@ void AnalysisSession::writeTables()
         return;
     }
     {
-        const Busy busy(writingSeconds_);
+        const ScopedTimer busy(writingSeconds_);
         folder_->writeTables(*latest_);
     }
     secondsBefore_ = seconds_;
@@ -177,9 +177,9 @@ void AnalysisSession::writeFiles()
     {
         return;
     }
-    const Busy busy(busySeconds_);
+    const ScopedTimer busy(busySeconds_);
     filesWritten_ = true;
-    onAll(messages_, [&] { enter(Phase::writing); });
+    runOnAllRanks(messages_, [&] { enter(Phase::writing); });
     writeTurns();
 }
 
@@ -188,7 +188,7 @@ void AnalysisSession::writeTurns()
     const auto itsTurn = [&](label interval)
     { return series_ && interval > 0 && latest_->index % interval == 0; };
     {
-        const Busy writing(writingSeconds_);
+        const ScopedTimer writing(writingSeconds_);
         if (itsTurn(controls_.surfaceInterval))
         {
             series_->writeSurfaces(*latest_);
@@ -198,7 +198,7 @@ void AnalysisSession::writeTurns()
             series_->writeParticles(tracker_.particles(), *latest_);
         }
     }
-    onMaster(messages_, [&] { writeTimings(); });
+    runOnMaster(messages_, [&] { writeTimings(); });
 }
 
 // The row of the latest classified time, anew where its files came later.

@@ -92,7 +92,7 @@ private:
             for (label k = 0; k < 3; ++k)
             {
                 const label pointi = mesh_.triangles[trianglei][k];
-                if (met[pointi] || !surface_.counted[pointi] || !detached(pointi))
+                if (met[pointi] || !surface_.isPrimary[pointi] || !detached(pointi))
                 {
                     continue;
                 }
@@ -172,7 +172,7 @@ void InstabilityParticles::seed(
     number(seeding.triangleKeys, seeding.triangles);
 
     disperse(seeds, complex, exchange);
-    together(
+    runOnAllRanks(
         exchange,
         [&]
         {
@@ -188,7 +188,7 @@ void InstabilityParticles::seed(
         }
     );
     leaveImages(seeds, complex, exchange);
-    together(
+    runOnAllRanks(
         exchange,
         [&]
         {

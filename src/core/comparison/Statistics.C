@@ -62,7 +62,7 @@ std::vector<scalar> Statistics::values() const
         volumeError,
         epsilon,
         displacement,
-        drift(),
+        smallestVisibleDrift(),
         driftSpeeds[0],
         driftSpeeds[1],
         driftSpeeds[2],
@@ -133,13 +133,13 @@ private:
     DynamicList<ExactSum> sums_;
 };
 
-// Of counted points, else zero.
+// Of isPrimary points, else zero.
 scalarField countedAreas(const ClassifiedSurface& surface)
 {
     scalarField areas(surface.areas);
     forAll(areas, pointi)
     {
-        areas[pointi] = surface.counted[pointi] ? areas[pointi] : 0;
+        areas[pointi] = surface.isPrimary[pointi] ? areas[pointi] : 0;
     }
     return areas;
 }
@@ -172,7 +172,7 @@ void fillSurvival(
     }
 }
 
-void surveyInterface(
+void addInterface(
     Statistics& statistics, const ClassifiedSurface& interface, const Epsilon& epsilon,
     const scalarField& areas, const Exchange& exchange
 )
@@ -196,7 +196,7 @@ void surveyInterface(
         const scalar h = mesh.cellSizes[pointi];
         sums.add(epsilonArea, epsilon.at(h) * areas[pointi]);
         sums.add(cellsArea, epsilon.at(h) / max(h, VSMALL) * areas[pointi]);
-        sums.add(nVertices, interface.counted[pointi] ? 1 : 0);
+        sums.add(nVertices, interface.isPrimary[pointi] ? 1 : 0);
     }
     forAll(mesh.triangles, trianglei)
     {
@@ -216,7 +216,7 @@ void surveyInterface(
 }
 
 // `areas`: what left is zero there on return.
-void surveyTimeSurface(
+void addTimeSurface(
     Statistics& statistics, const ClassifiedSurface& surface, scalarField& areas,
     const Exchange& exchange
 )
@@ -269,19 +269,19 @@ void fillDriftSpeeds(
 
 } // namespace
 
-void survey(
+void addSurfaceStatistics(
     Statistics& statistics, const ClassifiedSurface& interface,
     const ClassifiedSurface& timeSurface, const Epsilon& epsilon,
     const Exchange& exchange
 )
 {
     const scalarField areas(countedAreas(interface));
-    surveyInterface(statistics, interface, epsilon, areas, exchange);
+    addInterface(statistics, interface, epsilon, areas, exchange);
     fillSurvival(
         statistics.attachedFraction, interface, areas, statistics.area, exchange
     );
     scalarField timeAreas(countedAreas(timeSurface));
-    surveyTimeSurface(statistics, timeSurface, timeAreas, exchange);
+    addTimeSurface(statistics, timeSurface, timeAreas, exchange);
     fillSurvival(
         statistics.detachedFraction, timeSurface, timeAreas, statistics.timeSurfaceArea,
         exchange
@@ -291,9 +291,9 @@ void survey(
     );
 }
 
-void surveyDisplacement(
+void addDisplacement(
     Statistics& statistics, const ClassifiedSurface& timeSurface,
-    const pointField& seeds, const Exchange& exchange
+    const pointField& startPositions, const Exchange& exchange
 )
 {
     const InterfaceMesh& mesh = timeSurface.mesh;
@@ -304,7 +304,7 @@ void surveyDisplacement(
     sums.declare(total);
     forAll(areas, pointi)
     {
-        const scalar cells = mag(mesh.points[pointi] - seeds[pointi])
+        const scalar cells = mag(mesh.points[pointi] - startPositions[pointi])
                              / max(mesh.cellSizes[pointi], VSMALL);
         sums.add(squares, areas[pointi] * sqr(cells));
         sums.add(total, areas[pointi]);

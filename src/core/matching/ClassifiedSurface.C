@@ -81,7 +81,7 @@ void visitValues(Surface& surface, const Visit& visit)
     visit(surface.subGrid);
     visit(surface.components);
     visit(surface.areas);
-    visit(surface.counted);
+    visit(surface.isPrimary);
 }
 
 } // namespace
@@ -113,7 +113,7 @@ ClassifiedSurface gathered(const ClassifiedSurface& mine, const Exchange& exchan
         return mine;
     }
     Packet packet;
-    together(
+    runOnAllRanks(
         exchange,
         [&]
         {
@@ -127,7 +127,7 @@ ClassifiedSurface gathered(const ClassifiedSurface& mine, const Exchange& exchan
     std::vector<SurfacePiece> parts;
     std::vector<Packet> packets(exchange.toMaster(std::move(packet)));
     ClassifiedSurface whole;
-    together(
+    runOnAllRanks(
         exchange,
         [&]
         {

@@ -232,7 +232,7 @@ ReconstructionResult PlicPolygons::extract(const FlowSnapshot& snapshot) const
     }
     result.mesh = soup.takeMesh();
     orderByCells(result.mesh);
-    result.joined = false;
+    result.sharesPoints = false;
     result.alphaVolume = fractions.volume;
     result.volume = fractions.volume;
     return result;

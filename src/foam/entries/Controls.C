@@ -99,10 +99,10 @@ const wordList functionObjectEntries{
     "outputControl",
     "outputInterval"};
 
-void checkEntries(const dictionary& dict, Shell shell)
+void checkEntries(const dictionary& dict, Caller caller)
 {
     wordList allowed(ownEntries);
-    const bool inSolver = shell == Shell::functionObject;
+    const bool inSolver = caller == Caller::functionObject;
     allowed.append(inSolver ? solverEntries : wordList{"methods"});
     checkKeys(dict, allowed, inSolver ? functionObjectEntries : wordList());
 }
@@ -155,11 +155,11 @@ VolumeFit readVolumeFit(const dictionary& dict, const ReconstructionOptions& opt
     return VolumeFit(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
-ReconstructionOptions readReconstruction(const dictionary& dict, Shell shell)
+ReconstructionOptions readReconstruction(const dictionary& dict, Caller caller)
 {
     ReconstructionOptions options;
     std::vector<std::string> names = Reconstruction::names();
-    if (shell == Shell::functionObject)
+    if (caller == Caller::functionObject)
     {
         // While a solver runs nobody has made surfaces of its times.
         names.erase(std::find(names.begin(), names.end(), "fromFiles"));
@@ -231,7 +231,7 @@ dictionary overlaid(const dictionary& outer, const dictionary& inner)
 }
 
 // Other reconstructions from later times on, each with all that belongs to it.
-void readLater(const dictionary& dict, Shell shell, Controls& controls)
+void readLater(const dictionary& dict, Caller caller, Controls& controls)
 {
     if (!dict.found("reconstructions", keyType::LITERAL))
     {
@@ -252,7 +252,7 @@ void readLater(const dictionary& dict, Shell shell, Controls& controls)
             refuse(later, "from", "a later time than that of the entry before");
         }
         before = change.from;
-        change.reconstruction = readReconstruction(later, shell);
+        change.reconstruction = readReconstruction(later, caller);
         readComparison(
             overlaid(dict, later), change.reconstruction.method, change.matching,
             change.transfer
@@ -272,10 +272,10 @@ label defaultThreads()
     return alone ? 1 : omp_get_max_threads();
 }
 
-TrackerOptions readTrackerOptions(const dictionary& dict, Shell shell)
+TrackerOptions readTrackerOptions(const dictionary& dict, Caller caller)
 {
     TrackerOptions options;
-    options.reconstruction = readReconstruction(dict, shell);
+    options.reconstruction = readReconstruction(dict, caller);
     options.parametrization.flattening = readWord(
         dict, "flattening", options.parametrization.flattening, Flattening::names()
     );
@@ -296,9 +296,9 @@ TrackerOptions readTrackerOptions(const dictionary& dict, Shell shell)
 
 } // namespace
 
-Controls readControls(const dictionary& dict, Shell shell)
+Controls readControls(const dictionary& dict, Caller caller)
 {
-    checkEntries(dict, shell);
+    checkEntries(dict, caller);
     Controls controls;
     controls.fields.alpha = readName(dict, "alpha", word::null);
     controls.fields.U = readName(dict, "U", controls.fields.U);
@@ -308,10 +308,10 @@ Controls readControls(const dictionary& dict, Shell shell)
         controls.fields.velocity =
             readEnum(dict, "velocity", VelocityKind::flux, velocityNames);
     }
-    controls.tracker = readTrackerOptions(dict, shell);
+    controls.tracker = readTrackerOptions(dict, caller);
     controls.fields.files = {
         {-VGREAT, readFiles(dict, controls.tracker.reconstruction.method)}};
-    readLater(dict, shell, controls);
+    readLater(dict, caller, controls);
     controls.writePrecision =
         readNumber<label>(dict, "writePrecision", 15, Range{3, 17, " digits"});
     controls.surfaceInterval =
@@ -330,7 +330,7 @@ std::vector<Method> readMethods(const dictionary& dict)
 {
     if (!dict.found("methods"))
     {
-        return {{word::null, readControls(dict, Shell::utility)}};
+        return {{word::null, readControls(dict, Caller::utility)}};
     }
     std::vector<Method> methods;
     for (const entry& e : PtrList<entry>(dict.lookup("methods")))
@@ -355,7 +355,7 @@ std::vector<Method> readMethods(const dictionary& dict)
             outer.remove("volumeFit");
         }
         const dictionary merged(overlaid(outer, e.dict()));
-        methods.push_back({name, readControls(merged, Shell::utility)});
+        methods.push_back({name, readControls(merged, Caller::utility)});
     }
     if (methods.size() < 2)
     {

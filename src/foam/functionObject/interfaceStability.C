@@ -31,7 +31,7 @@ interfaceStability::interfaceStability(
     : fvMeshFunctionObject(name, stability::meshOf(runTime, dict), dict),
       writeFile(mesh_, name, typeName)
 {
-    const stability::Busy busy(cost_.seconds());
+    const stability::ScopedTimer busy(cost_.seconds());
     readFirst(dict);
     // A condition of runTimeControl holds where its value does not exist.
     publish(stability::Statistics());
@@ -54,7 +54,7 @@ interfaceStability::~interfaceStability()
 void interfaceStability::readFirst(const dictionary& dict)
 {
     fvMeshFunctionObject::read(dict);
-    controls_ = stability::readControls(dict, stability::Shell::functionObject);
+    controls_ = stability::readControls(dict, stability::Caller::functionObject);
     everyWrite_ = dict.found("writeControl") || dict.found("outputControl");
     schedule_ =
         std::make_unique<stability::ClassifySchedule>(time_, controls_.classify);
@@ -69,7 +69,7 @@ void interfaceStability::readAgain(const dictionary& dict)
     const std::string failure = stability::failureOf(
         [&]
         {
-            controls = stability::readControls(dict, stability::Shell::functionObject);
+            controls = stability::readControls(dict, stability::Caller::functionObject);
             fvMeshFunctionObject::read(dict);
         }
     );
@@ -200,7 +200,7 @@ void interfaceStability::publish(const stability::Statistics& statistics)
 
 bool interfaceStability::execute()
 {
-    const stability::Busy busy(cost_.seconds());
+    const stability::ScopedTimer busy(cost_.seconds());
     bool due = schedule_->due();
     advance();
     if (controls_.classify.displacement > 0)
@@ -218,7 +218,7 @@ bool interfaceStability::execute()
 
 bool interfaceStability::write()
 {
-    const stability::Busy busy(cost_.seconds());
+    const stability::ScopedTimer busy(cost_.seconds());
     const bool asWritten = schedule_->asWritten() && (everyWrite_ || time_.writeTime());
     if (asWritten || postProcess)
     {

@@ -42,7 +42,7 @@ std::vector<RimPoint> rimOf(const SurfacePiece& piece, std::size_t part)
     std::vector<RimPoint> rim;
     for (const label pointi : points)
     {
-        rim.push_back({part, pointi, piece.seeds[pointi] & oblique});
+        rim.push_back({part, pointi, piece.startPositions[pointi] & oblique});
     }
     return rim;
 }
@@ -129,8 +129,8 @@ private:
         for (; other != rim_.end() && other->along <= point.along + 2 * tolerance;
              ++other)
         {
-            const vector way =
-                parts_[other->part].seeds[other->pointi] - piece.seeds[point.pointi];
+            const vector way = parts_[other->part].startPositions[other->pointi]
+                               - piece.startPositions[point.pointi];
             if (places_[other->part] < places_[point.part]
                 && magSqr(way) <= sqr(tolerance)
                 && (!first || places_[other->part] < places_[first->part]))
@@ -145,7 +145,7 @@ private:
     {
         SurfacePiece& piece = parts_[point.part];
         const SurfacePiece& from = parts_[first.part];
-        piece.seeds[point.pointi] = from.seeds[first.pointi];
+        piece.startPositions[point.pointi] = from.startPositions[first.pointi];
         piece.mesh.points[point.pointi] = from.mesh.points[first.pointi];
         piece.mesh.origins[point.pointi] = from.mesh.origins[first.pointi];
         piece.mesh.cells[point.pointi] = from.mesh.cells[first.pointi];
@@ -176,7 +176,7 @@ private:
 SurfacePiece imageOf(SurfacePiece piece, label image, const PeriodicImages& images)
 {
     const RigidMotion& motion = images.motion(image);
-    for (pointField* points : {&piece.mesh.points, &piece.seeds})
+    for (pointField* points : {&piece.mesh.points, &piece.startPositions})
     {
         for (point& x : *points)
         {

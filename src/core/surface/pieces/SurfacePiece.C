@@ -32,10 +32,10 @@ List<T> selected(const UList<T>& values, const UList<label>& places)
 }
 
 // Points and parameters in the order in which triangles come to them.
-class FirstCome
+class CompactNumbering
 {
 public:
-    explicit FirstCome(label n) : numbers_(n, -1) {}
+    explicit CompactNumbering(label n) : numbers_(n, -1) {}
 
     label number(label i)
     {
@@ -56,9 +56,9 @@ private:
 };
 
 // All parts, one after the other.
-struct Heap
+struct ConcatenatedPieces
 {
-    DynamicList<point> points, origins, seeds;
+    DynamicList<point> points, origins, startPositions;
     DynamicList<label> cells, boundaryFaces;
     DynamicList<scalar> cellSizes;
     DynamicList<vector2D> parameters;
@@ -67,7 +67,7 @@ struct Heap
     DynamicList<CornerIndices> corners;
     DynamicList<TriangleKey> keys;
 
-    explicit Heap(const std::vector<SurfacePiece>& parts)
+    explicit ConcatenatedPieces(const std::vector<SurfacePiece>& parts)
     {
         for (const SurfacePiece& part : parts)
         {
@@ -82,7 +82,7 @@ private:
         const label firstPoint = points.size(), firstParameter = parameters.size();
         points.append(mesh.points);
         origins.append(mesh.origins);
-        seeds.append(part.seeds);
+        startPositions.append(part.startPositions);
         cells.append(mesh.cells);
         boundaryFaces.append(mesh.boundaryFaces);
         cellSizes.append(mesh.cellSizes);
@@ -105,17 +105,18 @@ private:
 };
 
 // Per point the first with the same seed.
-labelList weld(const UList<point>& seeds)
+labelList weld(const UList<point>& startPositions)
 {
-    labelList welded(identity(seeds.size()));
+    labelList welded(identity(startPositions.size()));
     labelList order(welded);
     std::stable_sort(
         order.begin(), order.end(),
-        [&](label a, label b) { return beforeByPosition(seeds[a], seeds[b]); }
+        [&](label a, label b)
+        { return beforeByPosition(startPositions[a], startPositions[b]); }
     );
     for (label i = 1; i < order.size(); ++i)
     {
-        if (seeds[order[i]] == seeds[order[i - 1]])
+        if (startPositions[order[i]] == startPositions[order[i - 1]])
         {
             welded[order[i]] = welded[order[i - 1]];
         }
@@ -164,7 +165,7 @@ SurfacePiece wholeSurface(const InterfaceMesh& mesh)
 {
     SurfacePiece piece;
     piece.mesh = mesh;
-    piece.seeds = mesh.points;
+    piece.startPositions = mesh.points;
     piece.keys.setSize(mesh.triangles.size());
     forAll(piece.keys, i)
     {
@@ -191,7 +192,7 @@ keepOwn(SurfacePiece& piece, const InterfaceMesh& extracted, const CellComplex& 
     }
     InterfaceMesh& mesh = piece.mesh;
     mesh.triangles = selected(extracted.triangles, own);
-    FirstCome order(extracted.points.size());
+    CompactNumbering order(extracted.points.size());
     for (triFace& t : mesh.triangles)
     {
         for (label& pointi : t)
@@ -206,7 +207,7 @@ keepOwn(SurfacePiece& piece, const InterfaceMesh& extracted, const CellComplex& 
     mesh.cellSizes = scalarField(extracted.cellSizes, kept);
     mesh.clearParametrization();
     useGlobalCells(mesh, complex);
-    piece.seeds = mesh.points;
+    piece.startPositions = mesh.points;
 
     piece.keys.setSize(own.size());
     forAll(own, i)
@@ -229,12 +230,12 @@ partOf(const SurfacePiece& whole, const UList<label>& triangles, labelList* poin
 {
     const InterfaceMesh& mesh = whole.mesh;
     SurfacePiece part;
-    part.joined = whole.joined;
+    part.sharesPoints = whole.sharesPoints;
     part.keys = selected(whole.keys, triangles);
     part.mesh.triangles = selected(mesh.triangles, triangles);
     part.mesh.materials = selected(mesh.materials, triangles);
     part.mesh.corners = selected(mesh.corners, triangles);
-    FirstCome points(mesh.points.size()), parameters(mesh.parameters.size());
+    CompactNumbering points(mesh.points.size()), parameters(mesh.parameters.size());
     forAll(triangles, i)
     {
         for (label k = 0; k < 3; ++k)
@@ -252,7 +253,7 @@ partOf(const SurfacePiece& whole, const UList<label>& triangles, labelList* poin
     part.mesh.boundaryFaces = selected(mesh.boundaryFaces, kept);
     part.mesh.cellSizes = scalarField(mesh.cellSizes, kept);
     part.mesh.parameters = selected(mesh.parameters, parameters.sources());
-    part.seeds = pointField(whole.seeds, kept);
+    part.startPositions = pointField(whole.startPositions, kept);
     if (pointsOf)
     {
         *pointsOf = kept;
@@ -273,8 +274,8 @@ void pack(const SurfacePiece& piece, Packet& packet)
     packet.putList(mesh.materials);
     packet.putList(mesh.corners);
     packet.putList(piece.keys);
-    packet.putList(piece.seeds);
-    packet.put(piece.joined);
+    packet.putList(piece.startPositions);
+    packet.put(piece.sharesPoints);
 }
 
 SurfacePiece unpackedSurface(Packet& packet)
@@ -291,20 +292,20 @@ SurfacePiece unpackedSurface(Packet& packet)
     mesh.materials = packet.getList<labelPair>();
     mesh.corners = packet.getList<CornerIndices>();
     piece.keys = packet.getList<TriangleKey>();
-    piece.seeds = packet.getList<point>();
-    piece.joined = packet.get<bool>();
+    piece.startPositions = packet.getList<point>();
+    piece.sharesPoints = packet.get<bool>();
     return piece;
 }
 
 JoinedSurface join(const std::vector<SurfacePiece>& parts)
 {
-    const Heap heap(parts);
+    const ConcatenatedPieces heap(parts);
     JoinedSurface result;
     SurfacePiece& piece = result.piece;
-    piece.joined = !parts.empty() && parts[0].joined;
+    piece.sharesPoints = !parts.empty() && parts[0].sharesPoints;
     const labelList welded(
-        piece.joined && parts.size() > 1 ? weld(heap.seeds)
-                                         : identity(heap.points.size())
+        piece.sharesPoints && parts.size() > 1 ? weld(heap.startPositions)
+                                               : identity(heap.points.size())
     );
     labelList& order = result.triangleSources;
     order = identity(heap.triangles.size());
@@ -317,7 +318,7 @@ JoinedSurface join(const std::vector<SurfacePiece>& parts)
     mesh.triangles = selected(heap.triangles, order);
     mesh.materials = selected(heap.materials, order);
     piece.keys = selected(heap.keys, order);
-    FirstCome points(heap.points.size());
+    CompactNumbering points(heap.points.size());
     for (triFace& t : mesh.triangles)
     {
         for (label& pointi : t)
@@ -329,7 +330,7 @@ JoinedSurface join(const std::vector<SurfacePiece>& parts)
     mesh.corners = weldParameters(
         mesh.triangles, selected(heap.corners, order), heap.parameters, kept.size()
     );
-    FirstCome parameters(heap.parameters.size());
+    CompactNumbering parameters(heap.parameters.size());
     for (CornerIndices& c : mesh.corners)
     {
         for (label& index : c)
@@ -343,7 +344,7 @@ JoinedSurface join(const std::vector<SurfacePiece>& parts)
     mesh.boundaryFaces = selected(heap.boundaryFaces, kept);
     mesh.cellSizes = scalarField(heap.cellSizes, kept);
     mesh.parameters = selected(heap.parameters, parameters.sources());
-    piece.seeds = pointField(heap.seeds, kept);
+    piece.startPositions = pointField(heap.startPositions, kept);
     result.pointSources = kept;
     result.pointPlaces = selected(points.numbers(), welded);
     return result;
@@ -367,9 +368,9 @@ JoinedSurface ownParts(
         [&](label a, label b) { return parents[a] < parents[b]; }
     );
     SurfacePiece all;
-    all.joined = piece.joined;
+    all.sharesPoints = piece.sharesPoints;
     all.mesh = mesh;
-    all.seeds = mesh.points;
+    all.startPositions = mesh.points;
     all.keys.setSize(parents.size());
     forAll(kept, i)
     {

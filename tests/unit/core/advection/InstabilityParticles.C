@@ -88,7 +88,7 @@ void detach(
     }
     surface.components = labelList(n, component);
     surface.areas = halo.mesh().pointAreas();
-    surface.counted = halo.counted();
+    surface.isPrimary = halo.primaryPoints();
     particles.seed(surface, halo, complex, time, alone);
 }
 
