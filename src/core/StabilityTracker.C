@@ -160,7 +160,9 @@ StabilityTracker::Extracted StabilityTracker::extract()
         {
             ReconstructionResult& result = extracted.result;
             result = reconstructions_[activeSettings()]->extract(*latest_);
-            extracted.piece.sharesPoints = result.sharesPoints;
+            extracted.piece.sharesPoints =
+                reconstructionMethod(settings_[activeSettings()].reconstruction.method)
+                    .sharesPoints;
             const labelList kept(
                 stability::keepOwn(extracted.piece, result.mesh, complex())
             );
@@ -199,7 +201,7 @@ void StabilityTracker::startSurface(const SurfacePiece& interface)
     }
     SurfacePiece& surface = result_.parametrization->surface;
     surface = join({surface}).piece; // points in the order of triangles
-    TimeSurface::Marks marks;
+    PointMarks marks;
     marks.areas = surface.mesh.pointAreas();
     marks.isPrimary = List<bool>(surface.mesh.points.size(), true);
     timeSurface_.seedRemeshed(surface, marks, latest_->time, complex(), exchange_);
@@ -285,12 +287,7 @@ void StabilityTracker::reseedTimeSurface(bool begins)
     if (!begins)
     {
         const ScopedTimer watch(timings_.advection);
-        timeSurface_.seed(
-            piece,
-            {interface.areas, interface.isPrimary, interface.nearWall, interface.thin,
-             interface.subGrid},
-            latest_->time, complex(), exchange_
-        );
+        timeSurface_.seed(piece, interface, latest_->time, complex(), exchange_);
     }
     else if (nClassified_ > 0)
     {

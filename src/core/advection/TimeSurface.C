@@ -59,7 +59,7 @@ void TimeSurface::send(
 }
 
 void TimeSurface::seed(
-    const SurfacePiece& piece, const Marks& marks, scalar time,
+    const SurfacePiece& piece, const PointMarks& marks, scalar time,
     const CellComplex& complex, const Exchange& exchange
 )
 {
@@ -69,7 +69,7 @@ void TimeSurface::seed(
 }
 
 void TimeSurface::seedRemeshed(
-    const SurfacePiece& piece, const Marks& marks, scalar time,
+    const SurfacePiece& piece, const PointMarks& marks, scalar time,
     const CellComplex& complex, const Exchange& exchange
 )
 {

@@ -242,14 +242,14 @@ ClassifiedSurface describe(
     const Setting& setting
 )
 {
-    const TimeSurface::Marks& marks = timeSurface.marks();
+    const PointMarks& marks = timeSurface.marks();
     ClassifiedSurface surface(describe(
         halo.mesh(), matches, Stability::detached, halo.toHalo(marks.nearWall),
         setting.interval
     ));
-    surface.isPrimary = halo.toHalo(marks.isPrimary);
-    surface.thin = halo.toHalo(marks.thin);
-    surface.subGrid = halo.toHalo(marks.subGrid);
+    forEachMark([&](const char*, const MarkFiles&, const auto& mark)
+                { mark(surface) = halo.toHalo(mark(marks)); });
+    surface.areas = halo.mesh().pointAreas(); // as they are now
     const List<bool> left(halo.toHalo(timeSurface.left()));
     forAll(left, pointi)
     {

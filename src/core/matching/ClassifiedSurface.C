@@ -76,12 +76,9 @@ void visitValues(Surface& surface, const Visit& visit)
     visit(surface.driftSpeed);
     visit(surface.confidence);
     visit(surface.preimages);
-    visit(surface.nearWall);
-    visit(surface.thin);
-    visit(surface.subGrid);
     visit(surface.components);
-    visit(surface.areas);
-    visit(surface.isPrimary);
+    forEachMark([&](const char*, const MarkFiles&, const auto& mark)
+                { visit(mark(surface)); });
 }
 
 } // namespace

@@ -132,7 +132,7 @@ joined(const InterfaceMesh& mesh, const List<Patch>& patches, const List<Piece>&
         startTriangle += piece.copy.surface.triangles.size();
         startParameter += piece.chart.parameters.size();
     }
-    surface.origins = surface.points;
+    surface.setOrigins(surface.points);
     result.startPositions = surface.points;
     return result;
 }

@@ -15,7 +15,7 @@ namespace
 ReconstructionOptions otherThan(const ReconstructionOptions& options)
 {
     ReconstructionOptions other;
-    other.method = options.method == "bonnell" ? "isoAlpha" : "bonnell";
+    other.method = reconstructionMethod(options.method).reference;
     other.nThreads = options.nThreads;
     return other;
 }

@@ -98,9 +98,10 @@ StartChart DistributedChart::around(
     {
         if (timeSurface.parametrized(trianglei))
         {
-            const triFace& t = timeSurface.triangles[trianglei];
-            const pointField& o = timeSurface.origins;
-            wanted.add(o[t[0]], o[t[1]], o[t[2]], reach, bounds);
+            wanted.add(
+                timeSurface.origin(trianglei, 0), timeSurface.origin(trianglei, 1),
+                timeSurface.origin(trianglei, 2), reach, bounds
+            );
         }
     }
     for (const point& x : unmatched)

@@ -16,11 +16,11 @@ namespace
 // Of other ranks' cells: what the points of own triangles depend on.
 label nRings(const TrackerOptions& tracker)
 {
-    // To extract alike two would do; droplets are looked at with six.
-    constexpr label toExtract = 6, toSharpen = 9;
+    constexpr label toSharpen = 3; // more
     const auto needed = [](const ReconstructionOptions& options)
     {
-        return (options.sharpening == Sharpening::none ? toExtract : toSharpen)
+        return reconstructionMethod(options.method).reach
+               + (options.sharpening == Sharpening::none ? 0 : toSharpen)
                + 2 * options.smooth; // each pair of steps looks twice at neighbours
     };
     label n = needed(tracker.reconstruction);

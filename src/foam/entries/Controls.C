@@ -119,8 +119,7 @@ Epsilon readEpsilon(const dictionary& dict, const word& reconstruction)
     epsilon.relative = !dict.found("epsilonAbsolute");
     if (epsilon.relative)
     {
-        // The dual mesh of bonnell is noisier than cell-point tetrahedra.
-        const scalar standard = reconstruction == "bonnell" ? 1 : 0.5;
+        const scalar standard = reconstructionMethod(reconstruction).epsilon;
         epsilon.value =
             readNumber(dict, "epsilon", standard, Range{0, 10, " cells", true});
     }
@@ -134,7 +133,7 @@ Epsilon readEpsilon(const dictionary& dict, const word& reconstruction)
 
 Sharpening readSharpening(const dictionary& dict, const ReconstructionOptions& options)
 {
-    const bool possible = options.method == "isoAlpha";
+    const bool possible = reconstructionMethod(options.method).canSharpen;
     const std::vector<std::string>& names = sharpeningNames();
     const word name = readWord(dict, "sharpening", possible ? "auto" : "none", names);
     if (!possible && name != "none")
@@ -148,7 +147,7 @@ VolumeFit readVolumeFit(const dictionary& dict, const ReconstructionOptions& opt
 {
     const std::vector<std::string>& names = volumeFitNames();
     const word name = readWord(dict, "volumeFit", "none", names);
-    if (options.method != "isoAlpha" && name != "none")
+    if (!reconstructionMethod(options.method).canFitVolumes && name != "none")
     {
         refuse(dict, "volumeFit", "none with the reconstruction " + options.method);
     }
@@ -158,15 +157,18 @@ VolumeFit readVolumeFit(const dictionary& dict, const ReconstructionOptions& opt
 ReconstructionOptions readReconstruction(const dictionary& dict, Caller caller)
 {
     ReconstructionOptions options;
-    std::vector<std::string> names = Reconstruction::names();
-    if (caller == Caller::functionObject)
+    std::vector<std::string> names;
+    for (const ReconstructionMethod& method : reconstructionMethods())
     {
         // While a solver runs nobody has made surfaces of its times.
-        names.erase(std::find(names.begin(), names.end(), "fromFiles"));
+        if (!method.readsFiles || caller == Caller::utility)
+        {
+            names.push_back(method.name);
+        }
     }
     options.method = readWord(dict, "reconstruction", options.method, names);
     options.smooth = readNumber<label>(dict, "smooth", 0, Range{0, 1000, " pairs"});
-    if (options.smooth > 0 && !Reconstruction::canSmooth(options.method))
+    if (options.smooth > 0 && !reconstructionMethod(options.method).canSmooth)
     {
         refuse(dict, "smooth", "0 with the reconstruction " + options.method);
     }
@@ -179,7 +181,7 @@ ReconstructionOptions readReconstruction(const dictionary& dict, Caller caller)
 std::string readFiles(const dictionary& dict, const std::string& method)
 {
     const bool found = dict.found("files", keyType::LITERAL);
-    if (found != (method == "fromFiles"))
+    if (found != reconstructionMethod(method).readsFiles)
     {
         FatalIOErrorInFunction(dict
         ) << "Entries 'files' and 'reconstruction fromFiles' belong together; found is "
@@ -213,7 +215,8 @@ void readComparison(
     matching.normalGate = readSwitch(dict, "normalGate", true);
     transfer.merge = readEnum(dict, "merge", Merge::nearest, mergeNames);
     // Polygons that do not meet have no edges that a seam could cross.
-    transfer.seamTreatment = readSwitch(dict, "seamTreatment", method != "plic");
+    transfer.seamTreatment =
+        readSwitch(dict, "seamTreatment", reconstructionMethod(method).sharesPoints);
 }
 
 // The entries of `outer` with those of `inner` in their place; of the two for epsilon

@@ -47,15 +47,16 @@ std::vector<RimPoint> rimOf(const SurfacePiece& piece, std::size_t part)
     return rim;
 }
 
-// Per point the indices of its p.
-std::vector<std::vector<label>> parametersAtPoints(const InterfaceMesh& mesh)
+// Per point the indices of its values of corners.
+std::vector<std::vector<label>>
+valuesAtPoints(const InterfaceMesh& mesh, const List<CornerIndices>& corners)
 {
     std::vector<std::vector<label>> result(mesh.points.size());
     forAll(mesh.triangles, trianglei)
     {
         for (label k = 0; k < 3; ++k)
         {
-            const label index = mesh.corners[trianglei][k];
+            const label index = corners[trianglei][k];
             std::vector<label>& known = result[mesh.triangles[trianglei][k]];
             if (index >= 0
                 && std::find(known.begin(), known.end(), index) == known.end())
@@ -76,7 +77,9 @@ public:
         {
             const std::vector<RimPoint> rim(rimOf(parts[part], part));
             rim_.insert(rim_.end(), rim.begin(), rim.end());
-            parameters_.push_back(parametersAtPoints(parts[part].mesh));
+            const InterfaceMesh& mesh = parts[part].mesh;
+            parameters_.push_back(valuesAtPoints(mesh, mesh.corners));
+            origins_.push_back(valuesAtPoints(mesh, mesh.originCorners));
             order_.push_back(part);
         }
         // What lies in its place first: so all ranks take over the same.
@@ -147,7 +150,6 @@ private:
         const SurfacePiece& from = parts_[first.part];
         piece.startPositions[point.pointi] = from.startPositions[first.pointi];
         piece.mesh.points[point.pointi] = from.mesh.points[first.pointi];
-        piece.mesh.origins[point.pointi] = from.mesh.origins[first.pointi];
         piece.mesh.cells[point.pointi] = from.mesh.cells[first.pointi];
         piece.mesh.cellSizes[point.pointi] = from.mesh.cellSizes[first.pointi];
         for (const label index : parameters_[point.part][point.pointi])
@@ -163,12 +165,36 @@ private:
                 }
             }
         }
+        for (const label index : origins_[point.part][point.pointi])
+        {
+            takeOverNearest(
+                piece.mesh.origins[index], from.mesh.origins,
+                origins_[first.part][first.pointi]
+            );
+        }
+    }
+
+    static void takeOverNearest(
+        point& origin, const pointField& there, const std::vector<label>& indices
+    )
+    {
+        const point before(origin);
+        scalar least = VGREAT;
+        for (const label other : indices)
+        {
+            if (magSqr(there[other] - before) < least)
+            {
+                least = magSqr(there[other] - before);
+                origin = there[other];
+            }
+        }
     }
 
     std::vector<SurfacePiece>& parts_;
     std::vector<RimPoint> rim_;
-    std::vector<std::size_t> order_, places_;                 // of the parts
-    std::vector<std::vector<std::vector<label>>> parameters_; // per part and point
+    std::vector<std::size_t> order_, places_; // of the parts
+    std::vector<std::vector<std::vector<label>>> parameters_,
+        origins_; // per part and point: indices
 };
 
 } // namespace

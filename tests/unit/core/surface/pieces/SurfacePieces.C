@@ -56,7 +56,7 @@ InterfaceMesh scene()
     mesh.cells = identity(mesh.points.size());
     mesh.boundaryFaces.setSize(mesh.points.size(), -1);
     mesh.clearParametrization();
-    mesh.origins = mesh.points;
+    mesh.setOrigins(mesh.points);
     DynamicList<vector2D> parameters;
     forAll(mesh.triangles, trianglei)
     {
