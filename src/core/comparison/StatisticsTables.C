@@ -58,8 +58,9 @@ std::vector<TableColumn<Statistics>> stabilityColumns()
         driftSpeedColumn("driftSpeed90", 1),
         driftSpeedColumn("driftSpeed99", 2),
         {"noiseFloor", "cells",
-         "noise floor of the reconstruction: what 99.9 % of the points of M are off at "
-         "most, as far as it can be estimated",
+         "noise floor of the reconstruction: an estimate of what 99.9 % of the points "
+         "of "
+         "M are off at most",
          &S::noiseFloor},
         {"detachedThin", "m2", "part of `detachedElsewhere` that was thin or sub-grid",
          &S::detachedThin},
