@@ -5,6 +5,7 @@
 
 #include "core/base/Errors.H"
 #include "core/base/ScopedTimer.H"
+#include "core/comparison/StatisticsTables.H"
 #include "core/ranks/Exchange.H"
 #include "fvMesh.H"
 
@@ -17,16 +18,14 @@ namespace Foam::stability
 namespace
 {
 
-void checkFinite(
-    const std::vector<scalar>& values, const std::vector<std::string>& columns
-)
+void checkFinite(const Statistics& statistics)
 {
-    for (std::size_t i = 0; i < values.size(); ++i)
+    for (const TableColumn<Statistics>& column : stabilityTable().columns)
     {
-        if (!std::isfinite(values[i]))
+        if (!std::isfinite(column.value(statistics)))
         {
             throw NumericalFailure(
-                "The result " + columns[i] + " is not finite: the analysis failed."
+                "The result " + column.name + " is not finite: the analysis failed."
             );
         }
     }
@@ -40,8 +39,7 @@ AnalysisSession::AnalysisSession(
 )
     : mesh_(mesh), controls_(controls), resultFolder_(folder),
       snapshots_(mesh, controls.fields, controls.tracker, source, messages_),
-      tracker_(observed(controls.tracker), messages_), seconds_(phaseNames().size(), 0),
-      secondsBefore_(seconds_)
+      tracker_(observed(controls.tracker), messages_)
 {
 }
 
@@ -66,7 +64,7 @@ void AnalysisSession::expect(const instantList& times)
 
 std::shared_ptr<const FlowSnapshot> AnalysisSession::takeSnapshot()
 {
-    const ScopedTimer busy(readingSeconds_);
+    const ScopedTimer busy(timings_.reading);
     runOnAllRanks(messages_, [&] { enter(Phase::reading); });
     return snapshots_.take();
 }
@@ -147,7 +145,7 @@ void AnalysisSession::classify()
         messages_,
         [&]
         {
-            checkFinite(classification.statistics.values(), Statistics::columns());
+            checkFinite(classification.statistics);
             writeTables();
             busy.reset();
             progress_.classified(
@@ -164,10 +162,10 @@ void AnalysisSession::writeTables()
         return;
     }
     {
-        const ScopedTimer busy(writingSeconds_);
+        const ScopedTimer busy(timings_.writing);
         folder_->writeTables(*latest_);
     }
-    secondsBefore_ = seconds_;
+    timingRow_.before = timingRow_.now;
     writeTimings();
 }
 
@@ -188,7 +186,7 @@ void AnalysisSession::writeTurns()
     const auto itsTurn = [&](label interval)
     { return series_ && interval > 0 && latest_->index % interval == 0; };
     {
-        const ScopedTimer writing(writingSeconds_);
+        const ScopedTimer writing(timings_.writing);
         if (itsTurn(controls_.surfaceInterval))
         {
             series_->writeSurfaces(*latest_);
@@ -208,16 +206,10 @@ void AnalysisSession::writeTimings()
     {
         return;
     }
-    const TrackerTimings& t = tracker_.timings();
-    seconds_ = {readingSeconds_, t.reconstruction, t.parametrization,
-                t.advection,     t.particles,      t.matching,
-                t.transfer,      t.statistics,     writingSeconds_};
-    std::vector<scalar> since(seconds_);
-    for (std::size_t i = 0; i < since.size(); ++i)
-    {
-        since[i] -= secondsBefore_[i];
-    }
-    folder_->writeTimings(statistics_.time, since);
+    static_cast<TrackerTimings&>(timings_) = tracker_.timings();
+    timingRow_.time = statistics_.time;
+    timingRow_.now = timings_;
+    folder_->writeTimings(timingRow_);
 }
 
 // What the busiest rank sent.

@@ -7,93 +7,9 @@
 #include "core/ranks/ExactSum.H"
 
 #include <algorithm>
-#include <sstream>
 
 namespace Foam::stability
 {
-
-std::vector<std::string> Statistics::columns()
-{
-    return {
-        "Time",
-        "vertices",
-        "triangles",
-        "area",
-        "stableArea",
-        "attachedArea",
-        "detachedNearWalls",
-        "detachedElsewhere",
-        "leftArea",
-        "stableFraction",
-        "coverage",
-        "particles",
-        "mergedTriangles",
-        "splitTriangles",
-        "volumeError",
-        "epsilon",
-        "displacement",
-        "epsilonPerInterval",
-        "driftSpeed50",
-        "driftSpeed90",
-        "driftSpeed99",
-        "noiseFloor",
-        "detachedThin",
-        "detachedResolved",
-    };
-}
-
-std::vector<scalar> Statistics::values() const
-{
-    return {
-        time,
-        scalar(nVertices),
-        scalar(nTriangles),
-        area,
-        stableArea,
-        attachedArea,
-        detachedNearWall,
-        detachedElsewhere,
-        leftArea,
-        stableFraction(),
-        coverage(),
-        scalar(nParticles),
-        scalar(nMerged),
-        scalar(nSplit),
-        volumeError,
-        epsilon,
-        displacement,
-        smallestVisibleDrift(),
-        driftSpeeds[0],
-        driftSpeeds[1],
-        driftSpeeds[2],
-        noiseFloor,
-        detachedThin,
-        detachedResolved,
-    };
-}
-
-std::vector<std::string> Statistics::survivalColumns()
-{
-    std::vector<std::string> names{"Time"};
-    for (const std::string side : {"detached", "attached"})
-    {
-        for (const scalar distance : survivalDistances)
-        {
-            std::ostringstream name;
-            name << side << "(" << distance << ")";
-            names.push_back(name.str());
-        }
-    }
-    return names;
-}
-
-std::vector<scalar> Statistics::survivalValues() const
-{
-    std::vector<scalar> result{time};
-    result.insert(result.end(), detachedFraction.begin(), detachedFraction.end());
-    result.insert(result.end(), attachedFraction.begin(), attachedFraction.end());
-    return result;
-}
 
 namespace
 {

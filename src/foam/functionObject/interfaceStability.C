@@ -4,6 +4,7 @@
 #include "foam/functionObject/interfaceStability.H"
 
 #include "addToRunTimeSelectionTable.H"
+#include "core/comparison/StatisticsTables.H"
 #include "foam/errors/Failures.H"
 #include "foam/functionObject/StartChecks.H"
 #include "fvMesh.H"
@@ -187,11 +188,12 @@ void interfaceStability::classify()
 // Where other function objects find them, runTimeControl above all.
 void interfaceStability::publish(const stability::Statistics& statistics)
 {
-    const std::vector<std::string> names = stability::Statistics::columns();
-    const std::vector<scalar> values = statistics.values();
-    for (std::size_t i = 1; i < names.size(); ++i)
+    for (const auto& column : stability::stabilityTable().columns)
     {
-        setResult(word(names[i]), values[i]);
+        if (column.name != "Time")
+        {
+            setResult(word(column.name), column.value(statistics));
+        }
     }
     const scalar detached =
         statistics.detachedNearWall + statistics.detachedElsewhere; // [m2]

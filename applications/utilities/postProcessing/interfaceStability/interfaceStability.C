@@ -29,11 +29,14 @@ Usage
       - \par -time \<ranges\>, -latestTime, -noZero
         Times to analyse, by default all; at least two.
 
+      - \par -listColumns
+        Lists the columns of the tables: name, unit, meaning. Needs no case.
+
     The results are in postProcessing/interfaceStability/\<startTime\>: surfaces and
     particles as VTK files, each family with a .vtp.series for ParaView, and tables
-    stability.dat, survival.dat and timing.dat. Those of an earlier run from the same
-    start time are put aside in the folder previous there, and removed when this run
-    has come to its end.
+    stability.dat, survival.dat, droplets.dat and timing.dat. Those of an earlier run
+    from the same start time are put aside in the folder previous there, and removed
+    when this run has come to its end.
 
     With the entry methods of the dictionary every method that it lists is run on the
     same flow, with results in postProcessing/interfaceStability_\<name\>, and
@@ -48,6 +51,7 @@ Usage
 #include "foam/AnalysisSession.H"
 #include "foam/errors/Failures.H"
 #include "foam/MethodComparison.H"
+#include "foam/results/ColumnList.H"
 #include "functionObject.H"
 #include "fvMesh.H"
 #include "timeSelector.H"
@@ -126,9 +130,22 @@ int main(int argc, char* argv[])
         "and phi of the selected times; writes to postProcessing/interfaceStability."
     );
     timeSelector::addOptions(false, false);
+    argList::addBoolOption(
+        "listColumns", "List the columns of the tables that are written, and end"
+    );
 #include "addDictOption.H"
 #include "addRegionOption.H"
-#include "setRootCase.H"
+
+    argList args(argc, argv);
+    if (args.found("listColumns"))
+    {
+        Info << stability::listOfColumns().c_str() << endl;
+        return 0;
+    }
+    if (!args.checkRootCase())
+    {
+        FatalError.exit();
+    }
 #include "createTime.H"
 
     const instantList times(
@@ -164,10 +181,10 @@ int main(int argc, char* argv[])
     }
     if (methods.size() > 1)
     {
-        const fileName table(comparisonPath / "methods.dat");
+        const fileName table(comparisonPath / stability::methodTable().file);
         if (Pstream::master())
         {
-            stability::exitOnFailure([&] { comparison.write(table); });
+            stability::exitOnFailure([&] { comparison.write(comparisonPath); });
         }
         Info << comparison.verdict().c_str() << nl << "The numbers are in "
              << runTime.relativePath(table)

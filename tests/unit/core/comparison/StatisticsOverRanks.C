@@ -3,7 +3,7 @@
 
 // The statistics of a surface in pieces are those of the whole, to the last bit.
 
-#include "core/comparison/Statistics.H"
+#include "core/comparison/StatisticsTables.H"
 #include "shapes/Surfaces.H"
 #include "shapes/ThreadRanks.H"
 
@@ -129,10 +129,13 @@ Piece pieceOf(const ClassifiedSurface& whole, label rank, label n)
 
 std::vector<scalar> allValues(const Statistics& statistics)
 {
-    std::vector<scalar> all(statistics.values());
-    for (const scalar value : statistics.survivalValues())
+    std::vector<scalar> all;
+    for (const auto* table : {&stabilityTable(), &survivalTable()})
     {
-        all.push_back(value);
+        for (const TableColumn<Statistics>& column : table->columns)
+        {
+            all.push_back(column.value(statistics));
+        }
     }
     all.push_back(statistics.timeSurfaceArea);
     all.push_back(statistics.epsilonCells);
