@@ -46,6 +46,7 @@ Usage
 
 #include "argList.H"
 #include "foam/AnalysisSession.H"
+#include "foam/entries/Methods.H"
 #include "foam/errors/Failures.H"
 #include "foam/MethodComparison.H"
 #include "functionObject.H"

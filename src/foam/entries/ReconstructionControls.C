@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of interfaceStability, an extension of OpenFOAM.
+
+#include "foam/entries/ReconstructionControls.H"
+
+#include "foam/entries/EntryChoices.H"
+#include "foam/entries/EntryReaders.H"
+
+#include <algorithm>
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+Epsilon readEpsilon(const dictionary& dict, const word& reconstruction)
+{
+    if (dict.found("epsilon") && dict.found("epsilonAbsolute"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entries 'epsilon' (in cells) and 'epsilonAbsolute' (in metres) are "
+            << "both given; allowed is one of them." << exit(FatalIOError);
+    }
+    Epsilon epsilon;
+    epsilon.relative = !dict.found("epsilonAbsolute");
+    if (epsilon.relative)
+    {
+        // The dual mesh of bonnell is noisier than cell-point tetrahedra.
+        const scalar standard = reconstruction == "bonnell" ? 1 : 0.5;
+        epsilon.value =
+            readNumber(dict, "epsilon", standard, Range{0, 10, " cells", true});
+    }
+    else
+    {
+        epsilon.value =
+            readNumber<scalar>(dict, "epsilonAbsolute", 1, Range{0, GREAT, " m", true});
+    }
+    return epsilon;
+}
+
+Sharpening readSharpening(const dictionary& dict, const ReconstructionOptions& options)
+{
+    const bool possible = options.method == "isoAlpha";
+    const std::vector<std::string>& names = sharpeningNames();
+    const word name = readWord(dict, "sharpening", possible ? "auto" : "none", names);
+    if (!possible && name != "none")
+    {
+        refuse(dict, "sharpening", "none with the reconstruction " + options.method);
+    }
+    return Sharpening(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+VolumeFit readVolumeFit(const dictionary& dict, const ReconstructionOptions& options)
+{
+    const std::vector<std::string>& names = volumeFitNames();
+    const word name = readWord(dict, "volumeFit", "none", names);
+    if (options.method != "isoAlpha" && name != "none")
+    {
+        refuse(dict, "volumeFit", "none with the reconstruction " + options.method);
+    }
+    return VolumeFit(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+} // namespace
+
+ReconstructionOptions readReconstruction(const dictionary& dict, Caller caller)
+{
+    ReconstructionOptions options;
+    std::vector<std::string> names = Reconstruction::names();
+    if (caller == Caller::functionObject)
+    {
+        // While a solver runs nobody has made surfaces of its times.
+        names.erase(std::find(names.begin(), names.end(), "fromFiles"));
+    }
+    options.method = readWord(dict, "reconstruction", options.method, names);
+    options.smooth = readNumber<label>(dict, "smooth", 0, Range{0, 1000, " pairs"});
+    if (options.smooth > 0 && !Reconstruction::canSmooth(options.method))
+    {
+        refuse(dict, "smooth", "0 with the reconstruction " + options.method);
+    }
+    options.sharpening = readSharpening(dict, options);
+    options.volumeFit = readVolumeFit(dict, options);
+    return options;
+}
+
+std::string readFiles(const dictionary& dict, const std::string& method)
+{
+    const bool found = dict.found("files", keyType::LITERAL);
+    if (found != (method == "fromFiles"))
+    {
+        FatalIOErrorInFunction(dict
+        ) << "Entries 'files' and 'reconstruction fromFiles' belong together; found is "
+          << (found ? "'files' with the reconstruction " : "no 'files'")
+          << (found ? method.c_str() : "") << '.' << exit(FatalIOError);
+    }
+    if (!found)
+    {
+        return "";
+    }
+    const entry* e = dict.findEntry("files", keyType::LITERAL);
+    const bool one = e->isStream() && e->stream().size() == 1;
+    const token& t = one ? e->stream()[0] : token::undefinedToken;
+    const std::string pattern = t.isString() ? std::string(t.stringToken())
+                                : t.isWord() ? std::string(t.wordToken())
+                                             : "";
+    if (!SurfaceFiles::isPattern(pattern))
+    {
+        refuse(dict, "files", SurfaceFiles::allowed());
+    }
+    return pattern;
+}
+
+void readComparison(
+    const dictionary& dict, const std::string& method, MatchingOptions& matching,
+    TransferOptions& transfer
+)
+{
+    matching.epsilon = readEpsilon(dict, method);
+    matching.normalGate = readSwitch(dict, "normalGate", true);
+    transfer.merge = readEnum(dict, "merge", Merge::nearest, mergeNames());
+    // Polygons that do not meet have no edges that a seam could cross.
+    transfer.seamTreatment = readSwitch(dict, "seamTreatment", method != "plic");
+}
+
+dictionary overlaid(const dictionary& outer, const dictionary& inner)
+{
+    dictionary merged(outer);
+    if (inner.found("epsilon") || inner.found("epsilonAbsolute"))
+    {
+        merged.remove("epsilon");
+        merged.remove("epsilonAbsolute");
+    }
+    merged.merge(inner);
+    return merged;
+}
+
+void readLater(const dictionary& dict, Caller caller, Controls& controls)
+{
+    if (!dict.found("reconstructions", keyType::LITERAL))
+    {
+        return;
+    }
+    const wordList allowed{
+        "from",    "reconstruction",  "sharpening",    "smooth",   "files",
+        "epsilon", "epsilonAbsolute", "seamTreatment", "volumeFit"};
+    scalar before = -VGREAT;
+    for (const entry& e : PtrList<entry>(dict.lookup("reconstructions")))
+    {
+        const dictionary& later = e.dict();
+        checkKeys(later, allowed);
+        ReconstructionFrom change;
+        change.from = later.get<scalar>("from");
+        if (!(change.from > before))
+        {
+            refuse(later, "from", "a later time than that of the entry before");
+        }
+        before = change.from;
+        change.reconstruction = readReconstruction(later, caller);
+        readComparison(
+            overlaid(dict, later), change.reconstruction.method, change.matching,
+            change.transfer
+        );
+        controls.fields.files.push_back(
+            {change.from, readFiles(later, change.reconstruction.method)}
+        );
+        controls.tracker.later.push_back(change);
+    }
+}
+
+} // namespace Foam::stability
