@@ -3,7 +3,6 @@
 
 #include "foam/entries/Controls.H"
 
-#include "core/parametrization/Flattening.H"
 #include "foam/entries/EntryChoices.H"
 #include "foam/entries/EntryReaders.H"
 #include "foam/entries/ReconstructionControls.H"
@@ -19,37 +18,6 @@ namespace
 {
 
 const word dictName("interfaceStabilityDict");
-
-const wordList ownEntries{
-    "alpha",
-    "U",
-    "phi",
-    "velocity",
-    "region",
-    "reconstruction",
-    "reconstructions",
-    "files",
-    "sharpening",
-    "smooth",
-    "epsilon",
-    "epsilonAbsolute",
-    "merge",
-    "normalGate",
-    "seamTreatment",
-    "wallVelocity",
-    "tolerance",
-    "maxParticles",
-    "flattening",
-    "nThreads",
-    "volumeFit",
-    "writePrecision",
-    "surfaceInterval",
-    "particleInterval",
-    "surfaceParts"};
-
-const wordList solverEntries{
-    "classifyControl", "classifyInterval", "classifyDisplacement", "writeToFile",
-    "onError"};
 
 // What OpenFOAM itself reads from the dictionary of any function object.
 const wordList functionObjectEntries{
@@ -73,14 +41,6 @@ const wordList functionObjectEntries{
     "outputControl",
     "outputInterval"};
 
-void checkEntries(const dictionary& dict, Caller caller)
-{
-    wordList allowed(ownEntries);
-    const bool inSolver = caller == Caller::functionObject;
-    allowed.append(inSolver ? solverEntries : wordList{"methods"});
-    checkKeys(dict, allowed, inSolver ? functionObjectEntries : wordList());
-}
-
 // OpenMP's own number follows OMP_NUM_THREADS, else it is that of the cores, of which
 // every rank has one.
 label defaultThreads()
@@ -93,21 +53,14 @@ TrackerOptions readTrackerOptions(const dictionary& dict, Caller caller)
 {
     TrackerOptions options;
     options.reconstruction = readReconstruction(dict, caller);
-    options.parametrization.flattening = readWord(
-        dict, "flattening", options.parametrization.flattening, Flattening::names()
-    );
+    options.parametrization.flattening = readChoice(dict, "flattening");
     readComparison(
         dict, options.reconstruction.method, options.matching, options.transfer
     );
-    options.wallVelocity =
-        readEnum(dict, "wallVelocity", WallVelocity::slip, wallVelocityNames());
-    options.integration.tolerance =
-        readNumber<scalar>(dict, "tolerance", 1e-3, Range{1e-10, 0.1, " cells"});
-    options.maxParticles =
-        readNumber<label>(dict, "maxParticles", 1000000, Range{0, 1e9, ""});
-    options.nThreads = readNumber<label>(
-        dict, "nThreads", defaultThreads(), Range{1, 1024, " threads"}
-    );
+    options.wallVelocity = readEnum(dict, "wallVelocity", wallVelocityNames());
+    options.integration.tolerance = readNumber<scalar>(dict, "tolerance");
+    options.maxParticles = readNumber<label>(dict, "maxParticles");
+    options.nThreads = readNumber<label>(dict, "nThreads", defaultThreads());
     return options;
 }
 
@@ -115,31 +68,30 @@ TrackerOptions readTrackerOptions(const dictionary& dict, Caller caller)
 
 Controls readControls(const dictionary& dict, Caller caller)
 {
-    checkEntries(dict, caller);
+    const bool inSolver = caller == Caller::functionObject;
+    checkKeys(
+        dict, inSolver ? inFunctionObject : inUtility,
+        inSolver ? functionObjectEntries : wordList()
+    );
     Controls controls;
     controls.fields.alpha = readName(dict, "alpha", word::null);
-    controls.fields.U = readName(dict, "U", controls.fields.U);
-    controls.fields.phi = readName(dict, "phi", controls.fields.phi);
+    controls.fields.U = readName(dict, "U");
+    controls.fields.phi = readName(dict, "phi");
     if (dict.found("velocity", keyType::LITERAL))
     {
-        controls.fields.velocity =
-            readEnum(dict, "velocity", VelocityKind::flux, velocityNames());
+        controls.fields.velocity = readEnum(dict, "velocity", velocityNames());
     }
     controls.tracker = readTrackerOptions(dict, caller);
     controls.fields.files = {
         {-VGREAT, readFiles(dict, controls.tracker.reconstruction.method)}};
     readLater(dict, caller, controls);
-    controls.writePrecision =
-        readNumber<label>(dict, "writePrecision", 15, Range{3, 17, " digits"});
-    controls.surfaceInterval =
-        readNumber<label>(dict, "surfaceInterval", 1, Range{0, 1e9, ""});
-    controls.particleInterval =
-        readNumber<label>(dict, "particleInterval", 1, Range{0, 1e9, ""});
-    controls.surfaceParts =
-        readEnum(dict, "surfaceParts", SurfaceParts::whole, surfacePartsNames());
-    controls.writeToFile = readSwitch(dict, "writeToFile", true);
+    controls.writePrecision = readNumber<label>(dict, "writePrecision");
+    controls.surfaceInterval = readNumber<label>(dict, "surfaceInterval");
+    controls.particleInterval = readNumber<label>(dict, "particleInterval");
+    controls.surfaceParts = readEnum(dict, "surfaceParts", surfacePartsNames());
+    controls.writeToFile = readSwitch(dict, "writeToFile");
     controls.classify = readClassify(dict);
-    controls.onError = readEnum(dict, "onError", OnError::stop, onErrorNames());
+    controls.onError = readEnum(dict, "onError", onErrorNames());
     return controls;
 }
 

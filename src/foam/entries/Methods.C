@@ -29,6 +29,7 @@ std::vector<Method> readMethods(const dictionary& dict)
                 );
             }
         }
+        checkKeys(e.dict(), inMethods);
         // What belongs together is given together.
         dictionary outer(dict);
         outer.remove("methods");
@@ -42,7 +43,9 @@ std::vector<Method> readMethods(const dictionary& dict)
     }
     if (methods.size() < 2)
     {
-        refuse(dict, "methods", "a list of at least two, as ( name { entries } ... )");
+        refuse(
+            dict, "methods", allowedText(entryRow("methods", EntryType::list).value)
+        );
     }
     return methods;
 }

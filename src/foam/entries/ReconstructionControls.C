@@ -28,13 +28,11 @@ Epsilon readEpsilon(const dictionary& dict, const word& reconstruction)
     {
         // The dual mesh of bonnell is noisier than cell-point tetrahedra.
         const scalar standard = reconstruction == "bonnell" ? 1 : 0.5;
-        epsilon.value =
-            readNumber(dict, "epsilon", standard, Range{0, 10, " cells", true});
+        epsilon.value = readNumber<scalar>(dict, "epsilon", standard);
     }
     else
     {
-        epsilon.value =
-            readNumber<scalar>(dict, "epsilonAbsolute", 1, Range{0, GREAT, " m", true});
+        epsilon.value = readNumber<scalar>(dict, "epsilonAbsolute");
     }
     return epsilon;
 }
@@ -43,7 +41,7 @@ Sharpening readSharpening(const dictionary& dict, const ReconstructionOptions& o
 {
     const bool possible = options.method == "isoAlpha";
     const std::vector<std::string>& names = sharpeningNames();
-    const word name = readWord(dict, "sharpening", possible ? "auto" : "none", names);
+    const word name = readChoice(dict, "sharpening", word(possible ? "auto" : "none"));
     if (!possible && name != "none")
     {
         refuse(dict, "sharpening", "none with the reconstruction " + options.method);
@@ -54,7 +52,7 @@ Sharpening readSharpening(const dictionary& dict, const ReconstructionOptions& o
 VolumeFit readVolumeFit(const dictionary& dict, const ReconstructionOptions& options)
 {
     const std::vector<std::string>& names = volumeFitNames();
-    const word name = readWord(dict, "volumeFit", "none", names);
+    const word name = readChoice(dict, "volumeFit");
     if (options.method != "isoAlpha" && name != "none")
     {
         refuse(dict, "volumeFit", "none with the reconstruction " + options.method);
@@ -67,14 +65,10 @@ VolumeFit readVolumeFit(const dictionary& dict, const ReconstructionOptions& opt
 ReconstructionOptions readReconstruction(const dictionary& dict, Caller caller)
 {
     ReconstructionOptions options;
-    std::vector<std::string> names = Reconstruction::names();
-    if (caller == Caller::functionObject)
-    {
-        // While a solver runs nobody has made surfaces of its times.
-        names.erase(std::find(names.begin(), names.end(), "fromFiles"));
-    }
-    options.method = readWord(dict, "reconstruction", options.method, names);
-    options.smooth = readNumber<label>(dict, "smooth", 0, Range{0, 1000, " pairs"});
+    // While a solver runs nobody has made surfaces of its times.
+    const word barred(caller == Caller::functionObject ? "fromFiles" : "");
+    options.method = readChoice(dict, "reconstruction", std::nullopt, barred);
+    options.smooth = readNumber<label>(dict, "smooth");
     if (options.smooth > 0 && !Reconstruction::canSmooth(options.method))
     {
         refuse(dict, "smooth", "0 with the reconstruction " + options.method);
@@ -106,7 +100,7 @@ std::string readFiles(const dictionary& dict, const std::string& method)
                                              : "";
     if (!SurfaceFiles::isPattern(pattern))
     {
-        refuse(dict, "files", SurfaceFiles::allowed());
+        refuse(dict, "files", allowedText(entryRow("files", EntryType::string).value));
     }
     return pattern;
 }
@@ -117,8 +111,8 @@ void readComparison(
 )
 {
     matching.epsilon = readEpsilon(dict, method);
-    matching.normalGate = readSwitch(dict, "normalGate", true);
-    transfer.merge = readEnum(dict, "merge", Merge::nearest, mergeNames());
+    matching.normalGate = readSwitch(dict, "normalGate");
+    transfer.merge = readEnum(dict, "merge", mergeNames());
     // Polygons that do not meet have no edges that a seam could cross.
     transfer.seamTreatment = readSwitch(dict, "seamTreatment", method != "plic");
 }
@@ -141,14 +135,11 @@ void readLater(const dictionary& dict, Caller caller, Controls& controls)
     {
         return;
     }
-    const wordList allowed{
-        "from",    "reconstruction",  "sharpening",    "smooth",   "files",
-        "epsilon", "epsilonAbsolute", "seamTreatment", "volumeFit"};
     scalar before = -VGREAT;
     for (const entry& e : PtrList<entry>(dict.lookup("reconstructions")))
     {
         const dictionary& later = e.dict();
-        checkKeys(later, allowed);
+        checkKeys(later, inReconstructions);
         ReconstructionFrom change;
         change.from = later.get<scalar>("from");
         if (!(change.from > before))
