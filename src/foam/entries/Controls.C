@@ -19,7 +19,7 @@ namespace
 
 const word dictName("interfaceStabilityDict");
 
-// What OpenFOAM itself reads from the dictionary of any function object.
+// The entries that OpenFOAM itself reads from the dictionary of any function object.
 const wordList functionObjectEntries{
     "type",
     "libs",

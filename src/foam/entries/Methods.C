@@ -30,7 +30,7 @@ std::vector<Method> readMethods(const dictionary& dict)
             }
         }
         checkKeys(e.dict(), inMethods);
-        // What belongs together is given together.
+        // Entries that belong together are given together.
         dictionary outer(dict);
         outer.remove("methods");
         if (e.dict().found("reconstruction"))
