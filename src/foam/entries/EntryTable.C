@@ -7,7 +7,7 @@
 #include "foam/entries/EntryChoices.H"
 #include "polyMesh.H"
 
-#include <algorithm>
+#include <cstdlib>
 #include <sstream>
 
 namespace Foam::stability
