@@ -75,6 +75,16 @@ const std::vector<ReconstructionMethod>& reconstructionMethods()
     return methods;
 }
 
+std::vector<std::string> reconstructionNames()
+{
+    std::vector<std::string> names;
+    for (const ReconstructionMethod& method : reconstructionMethods())
+    {
+        names.push_back(method.name);
+    }
+    return names;
+}
+
 const ReconstructionMethod& reconstructionMethod(const std::string& name)
 {
     std::string known;

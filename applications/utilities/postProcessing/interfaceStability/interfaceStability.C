@@ -21,7 +21,7 @@ Usage
       - \par -dict \<file\>
         Dictionary other than system/interfaceStabilityDict, which may be absent:
         every entry has a default. It is explained, entry by entry, in
-        etc/caseDicts/interfaceStabilityDict.
+        etc/caseDicts/interfaceStabilityDict; -help lists what is allowed.
 
       - \par -region \<name\>
         Mesh region other than the default one, or that of the dictionary.
@@ -49,6 +49,9 @@ Usage
 
 #include "argList.H"
 #include "foam/AnalysisSession.H"
+#include "foam/entries/EntryHelp.H"
+#include "foam/entries/EntryTable.H"
+#include "foam/entries/Methods.H"
 #include "foam/errors/Failures.H"
 #include "foam/MethodComparison.H"
 #include "foam/results/ColumnList.H"
@@ -129,6 +132,10 @@ int main(int argc, char* argv[])
         "Reads system/interfaceStabilityDict if it is there, the volume fraction, U\n"
         "and phi of the selected times; writes to postProcessing/interfaceStability."
     );
+    for (const std::string& note : stability::entryHelp())
+    {
+        argList::addNote(note);
+    }
     timeSelector::addOptions(false, false);
     argList::addBoolOption(
         "listColumns", "List the columns of the tables that are written, and end"
@@ -161,7 +168,10 @@ int main(int argc, char* argv[])
     ));
     const std::vector<stability::Method> methods(stability::readMethods(dict));
     const word region(args.get<word>(
-        "region", dict.getOrDefault<word>("region", polyMesh::defaultRegion)
+        "region",
+        dict.getOrDefault<word>(
+            "region", stability::entryRow("region", stability::EntryType::name).standard
+        )
     ));
     fvMesh mesh(IOobject(region, runTime.timeName(), runTime, IOobject::MUST_READ));
 
