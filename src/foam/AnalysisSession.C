@@ -5,6 +5,7 @@
 
 #include "core/base/Errors.H"
 #include "core/base/Busy.H"
+#include "core/base/Version.H"
 #include "foam/ranks/OnAll.H"
 #include "fvMesh.H"
 
@@ -255,7 +256,7 @@ void AnalysisSession::announce() const
     {
         const CaseFields& fields = snapshots_.fields();
         const FaceFlux& flux = snapshots_.flux();
-        Info << "interfaceStability:" << nl << "    fields " << fields.alphaName()
+        Info << generator().c_str() << ":" << nl << "    fields " << fields.alphaName()
              << " (from " << fields.source().c_str() << ") and " << fields.UName() << nl
              << "    velocity "
              << (flux.kind() == VelocityKind::flux ? "flux: " : "U: ")

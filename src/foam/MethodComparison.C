@@ -4,6 +4,7 @@
 #include "foam/MethodComparison.H"
 
 #include "core/base/FileReplacement.H"
+#include "core/base/Version.H"
 #include "OSspecific.H"
 
 #include <iomanip>
@@ -17,7 +18,8 @@ void MethodComparison::write(const fileName& path) const
 {
     constexpr int width = 23, precision = 15;
     std::ostringstream os;
-    os << "# Means over the classified times; meanDistance in cells, area in m2\n# "
+    os << "# " << generator()
+       << "\n# Means over the classified times; meanDistance in cells, area in m2\n# "
        << std::left << std::setw(width - 2) << "method";
     for (const std::string& name : MethodScore::columns())
     {

@@ -4,6 +4,7 @@
 #include "foam/results/ResultTable.H"
 
 #include "core/base/FileReplacement.H"
+#include "core/base/Version.H"
 
 #include <iomanip>
 #include <sstream>
@@ -22,7 +23,7 @@ void ResultTable::setColumns(const std::vector<std::string>& names)
 {
     const label width = precision_ + addedWidth;
     std::ostringstream os;
-    os << "# " << title_ << "\n# " << std::left;
+    os << "# " << generator() << "\n# " << title_ << "\n# " << std::left;
     for (std::size_t i = 0; i < names.size(); ++i)
     {
         os << (i ? "\t" : "") << std::setw(i ? width : width - 2) << names[i];

@@ -45,6 +45,7 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "argList.H"
+#include "core/base/Version.H"
 #include "foam/AnalysisSession.H"
 #include "foam/errors/Failures.H"
 #include "foam/MethodComparison.H"
@@ -119,6 +120,7 @@ fileName analyse(
 
 int main(int argc, char* argv[])
 {
+    argList::addNote(stability::generator());
     argList::addNote(
         "Follow the material interface of a volume-of-fluid run with the flow and\n"
         "tell where it is stable, detached or attached.\n"
