@@ -5,6 +5,7 @@
 
 #include "core/base/Errors.H"
 #include "core/base/ScopedTimer.H"
+#include "core/base/Version.H"
 #include "core/comparison/StatisticsTables.H"
 #include "core/ranks/Exchange.H"
 #include "fvMesh.H"
@@ -247,7 +248,7 @@ void AnalysisSession::announce() const
     {
         const CaseFields& fields = snapshots_.fields();
         const FaceFlux& flux = snapshots_.flux();
-        Info << "interfaceStability:" << nl << "    fields " << fields.alphaName()
+        Info << generator().c_str() << ":" << nl << "    fields " << fields.alphaName()
              << " (from " << fields.source().c_str() << ") and " << fields.UName() << nl
              << "    velocity "
              << (flux.kind() == VelocityKind::flux ? "flux: " : "U: ")

@@ -11,6 +11,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 #include <vtkTypeInt32Array.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkXMLDataElement.h>
@@ -22,6 +23,7 @@
 
 #include "core/results/ParameterTexture.H"
 #include "core/base/FileReplacement.H"
+#include "core/base/Version.H"
 
 #include <algorithm>
 #include <sstream>
@@ -126,6 +128,14 @@ void addTime(vtkPolyData& data, scalar time)
     data.GetFieldData()->AddArray(value);
 }
 
+void addGenerator(vtkPolyData& data)
+{
+    vtkNew<vtkStringArray> name;
+    name->SetName("generator");
+    name->InsertNextValue(generator());
+    data.GetFieldData()->AddArray(name);
+}
+
 vtkSmartPointer<vtkPolyData> polyData(const ResultSurface& surface)
 {
     auto data = vtkSmartPointer<vtkPolyData>::New();
@@ -143,6 +153,7 @@ vtkSmartPointer<vtkPolyData> polyData(const ResultSurface& surface)
         addArray(*data, array, surface.points.size());
     }
     addTime(*data, surface.time);
+    addGenerator(*data);
     return data;
 }
 

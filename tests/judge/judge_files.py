@@ -14,7 +14,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 from chart import Locator
-from results import FAMILIES, Run, Verdict
+from results import FAMILIES, Run, Verdict, generator
 
 # name: (components, integer)
 ARRAYS = {
@@ -59,6 +59,7 @@ ARRAYS = {
     },
 }
 CLASSES = {"interface": {0, 1}, "timeSurface": {0, 2, 3}}
+TABLES = ("stability.dat", "survival.dat", "droplets.dat", "timing.dat")
 MAY_BE_CONSTANT = {"cellSize", "component", "preimageCount", "state", "subGrid", "thin"}
 
 
@@ -459,6 +460,12 @@ def check_band(findings, surface, epsilon):
     findings.require("stable is nearer than epsilon", wrong == 0, f"{wrong} in {surface.path.name}")
 
 
+def check_generator(findings, name, told):
+    findings.require(
+        "files tell what made them", told == generator(), f"{name}: {told}, not {generator()}"
+    )
+
+
 def check_series(findings, run):
     counts = {family: len(run.paths(family)) for family in FAMILIES}
     findings.require(
@@ -484,6 +491,8 @@ def check_series(findings, run):
 def judge(run, options, verdict):
     findings, variation, particles = Findings(), Variation(), Particles()
     check_series(findings, run)
+    for name in TABLES:
+        check_generator(findings, name, run.table_generator(name))
     rows = run.table("stability.dat")
     texture = Texture(run.folder / "texture.png")
     times = {family: [e["time"] for e in run.series(family)] for family in FAMILIES}
@@ -497,6 +506,7 @@ def judge(run, options, verdict):
         surfaces = {family: run.surface(family, index) for family in FAMILIES}
         for family, surface in surfaces.items():
             check_arrays(findings, family, surface)
+            check_generator(findings, surface.path.name, surface.generator)
             variation.see(family, surface)
             findings.require(
                 "files know their time",

@@ -3,6 +3,7 @@
 """What a run wrote, read back with VTK's own reader and nothing of the project."""
 
 import json
+import re
 import sys
 from pathlib import Path
 
@@ -11,6 +12,13 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 FAMILIES = ("interface", "timeSurface", "particles")
+
+
+def generator():
+    """The name by which files tell their program, with the version of CITATION.cff."""
+    citation = Path(__file__).resolve().parents[2] / "CITATION.cff"
+    text = citation.read_text(encoding="utf-8")
+    return "interfaceStability " + re.search(r"^version: (\S+)$", text, re.MULTILINE)[1]
 
 
 class Surface:
@@ -44,6 +52,8 @@ class Surface:
             )
         stamp = self.data.GetFieldData().GetArray("TimeValue")
         self.time = stamp.GetTuple1(0) if stamp else None
+        name = self.data.GetFieldData().GetAbstractArray("generator")
+        self.generator = name.GetValue(0) if name else None
 
     def _triangles(self):
         polys = self.data.GetPolys()
@@ -106,6 +116,11 @@ class Run:
     def series(self, family):
         text = (self.folder / f"{family}.vtp.series").read_text(encoding="ascii")
         return json.loads(text)["files"]
+
+    def table_generator(self, name):
+        """The program that made a table, as its first line tells."""
+        lines = (self.folder / name).read_text(encoding="ascii").splitlines()
+        return lines[0][2:] if lines and lines[0].startswith("# ") else None
 
     def table(self, name):
         """Columns of a .dat file by their names, as the last comment line tells."""

@@ -4,6 +4,7 @@
 #include "foam/results/ResultTable.H"
 
 #include "core/base/FileReplacement.H"
+#include "core/base/Version.H"
 
 #include <iomanip>
 
@@ -21,7 +22,7 @@ void TableText::setHeader(
 )
 {
     std::ostringstream os;
-    os << "# " << comment << "\n# " << std::left;
+    os << "# " << generator() << "\n# " << comment << "\n# " << std::left;
     for (std::size_t i = 0; i < names.size(); ++i)
     {
         os << (i ? "\t" : "") << std::setw(i ? width() : width() - 2) << names[i];

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Part of interfaceStability, an extension of OpenFOAM.
-"""checkFiles.py FOLDER: what the writer made, read back through VTK."""
+"""checkFiles.py FOLDER GENERATOR: what the writer made, read back through VTK."""
 import pathlib
 import sys
 
@@ -33,7 +33,7 @@ def expected_sphere():
     return points, p, attached
 
 
-def check_surface(folder):
+def check_surface(folder, generator):
     code, data = read(folder / "interface_000000.vtp")
     points, p, attached = expected_sphere()
     read_points = vtk_to_numpy(data.GetPoints().GetData())
@@ -61,6 +61,8 @@ def check_surface(folder):
     _, later = read(folder / "interface_000001.vtp")
     time = later.GetFieldData().GetArray("TimeValue")
     verdict("the time is in the file", time is not None and time.GetValue(0) == 0.02, time)
+    told = later.GetFieldData().GetAbstractArray("generator")
+    verdict("the generator is in the file", told and told.GetValue(0) == generator, told)
 
 
 def check_others(folder):
@@ -99,7 +101,7 @@ def check_others(folder):
 
 def main():
     folder = pathlib.Path(sys.argv[1])
-    check_surface(folder)
+    check_surface(folder, sys.argv[2])
     check_others(folder)
     left = [f.name for f in folder.iterdir() if f.suffix not in (".vtp", ".series", ".png", ".dat")]
     verdict("no temporary file is left", not left, left)

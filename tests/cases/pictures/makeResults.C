@@ -8,6 +8,7 @@
 
 #include "vtk/VtpWriter.H"
 
+#include "core/base/Version.H"
 #include "core/results/ParameterTexture.H"
 
 #include <cfenv>
@@ -162,6 +163,7 @@ int main(int argc, char* argv[])
     writeSeries(folder, "interface");
     writeSeries(folder, "particles");
     std::ofstream(folder + "/stability.dat")
+        << "# " << generator() << "\n"
         << "# Stability of the interface\n"
         << "# Time\tarea\tstableFraction\tparticles\tepsilon\n"
         << "0\t0.6\t0.97\t0\t0.0156\n"

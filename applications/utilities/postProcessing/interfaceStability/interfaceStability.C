@@ -48,6 +48,7 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "argList.H"
+#include "core/base/Version.H"
 #include "foam/AnalysisSession.H"
 #include "foam/entries/EntryHelp.H"
 #include "foam/entries/EntryTable.H"
@@ -126,6 +127,7 @@ fileName analyse(
 
 int main(int argc, char* argv[])
 {
+    argList::addNote(stability::generator());
     argList::addNote(
         "Follow the material interface of a volume-of-fluid run with the flow and\n"
         "tell where it is stable, detached or attached.\n"

@@ -3,6 +3,8 @@
 
 #include "Arguments.H"
 
+#include "core/base/Version.H"
+
 #include <vtksys/CommandLineArguments.hxx>
 
 #include <charconv>
@@ -232,13 +234,13 @@ std::string helpText()
     char* argv[] = {name};
     parser.Initialize(1, argv);
     addOptions(parser, arguments, texts);
-    return std::string(
-               "Usage: interfaceStabilityView -batch [OPTIONS] [FOLDER]\n\n"
-               "Pictures of the interface with its carried parametrization, of what\n"
-               "is attached (black) and of the detached particles (red). FOLDER is a\n"
-               "case with results in postProcessing/interfaceStability, or a folder\n"
-               "with results. Needs no display.\n\nOptions:\n"
-           )
+    return "interfaceStabilityView of " + generator()
+           + "\n\n"
+             "Usage: interfaceStabilityView -batch [OPTIONS] [FOLDER]\n\n"
+             "Pictures of the interface with its carried parametrization, of what\n"
+             "is attached (black) and of the detached particles (red). FOLDER is a\n"
+             "case with results in postProcessing/interfaceStability, or a folder\n"
+             "with results. Needs no display.\n\nOptions:\n"
            + parser.GetHelp();
 }
 

@@ -189,8 +189,8 @@ TEST(DiskCut, ExtendsToAPoint)
 
 TEST(DiskCut, RefusesWhatIsNotOneComponent)
 {
-    const PlainSurface two = runOnAllRanks(
-        {hemisphere(point(0, 0, 0), 1, 2), hemisphere(point(5, 0, 0), 1, 2)}
-    );
+    const PlainSurface two =
+        inOneScene({hemisphere(point(0, 0, 0), 1, 2), hemisphere(point(5, 0, 0), 1, 2)}
+        );
     EXPECT_THROW(DiskCut{two}, NumericalFailure);
 }

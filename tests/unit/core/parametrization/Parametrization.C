@@ -183,7 +183,7 @@ TEST(Parametrization, OfManyDropletsIsInjective)
         drops.push_back(sphere(centre, 0.3 + 0.01 * (i % 13), i % 11 == 0 ? 2 : 0));
     }
     const ParametrizationResult result =
-        parametrize(asInterface(runOnAllRanks(drops), 1), ParametrizationOptions());
+        parametrize(asInterface(inOneScene(drops), 1), ParametrizationOptions());
     EXPECT_EQ(result.nCharts, 1500);
     expectComplete(result);
     expectInjective(result);
@@ -247,7 +247,7 @@ TEST(Parametrization, LeavesOutWhatCannotBeFlattened)
     }
     const PlainSurface cap = hemisphere(point(0, 0, 0), 1, 3);
     const ParametrizationResult result = parametrize(
-        asInterface(runOnAllRanks({flat, cap}), 0.2), ParametrizationOptions()
+        asInterface(inOneScene({flat, cap}), 0.2), ParametrizationOptions()
     );
     EXPECT_EQ(result.nCharts, 1);
     EXPECT_EQ(result.nFallbacks, 1);
