@@ -6,6 +6,7 @@
 #include "core/transfer/Transfer.H"
 
 #include "shapes/ChartedSurfaces.H"
+#include "shapes/OneRank.H"
 
 #include <benchmark/benchmark.h>
 

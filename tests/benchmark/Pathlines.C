@@ -8,6 +8,7 @@
 #include "core/flow/PathlineIntegrator.H"
 #include "shapes/AnalyticFlows.H"
 #include "shapes/BoxMesh.H"
+#include "shapes/OneRank.H"
 
 #include <benchmark/benchmark.h>
 #include <random>

@@ -2,6 +2,7 @@
 // Part of interfaceStability, an extension of OpenFOAM.
 
 #include "shapes/PathlineRuns.H"
+#include "shapes/OneRank.H"
 
 #include <cmath>
 #include <random>

@@ -325,16 +325,4 @@ IntegrationCounts advance(
     return total;
 }
 
-IntegrationCounts advance(
-    UList<Pathline>& lines, const Velocity& velocity, const IntegrationOptions& options
-)
-{
-    List<Pathline*> pointers(lines.size());
-    forAll(lines, i)
-    {
-        pointers[i] = &lines[i];
-    }
-    return advance(pointers, velocity, options);
-}
-
 } // namespace Foam::stability

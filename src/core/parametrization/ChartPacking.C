@@ -210,26 +210,4 @@ List<vector2D> moved(const List<vector2D>& chart, const vector2D& corner, scalar
     return result;
 }
 
-PackingResult packCharts(const List<List<vector2D>>& charts, scalar gutter)
-{
-    PackingResult result;
-    result.charts.setSize(charts.size());
-    List<vector2D> sizes(charts.size());
-    forAll(charts, i)
-    {
-        result.charts[i] = upright(charts[i]);
-        sizes[i] = boxSize(result.charts[i]);
-    }
-    const BoxPacking boxes(packBoxes(sizes, gutter));
-    result.scale = boxes.scale;
-    forAll(charts, i)
-    {
-        if (boxes.placed)
-        {
-            result.charts[i] = moved(result.charts[i], boxes.corners[i], boxes.scale);
-        }
-    }
-    return result;
-}
-
 } // namespace Foam::stability

@@ -272,10 +272,4 @@ ParametrizationResult parametrize(
     return result;
 }
 
-ParametrizationResult
-parametrize(const InterfaceMesh& mesh, const ParametrizationOptions& options)
-{
-    return parametrize(wholeSurface(mesh), options, SerialExchange());
-}
-
 } // namespace Foam::stability

@@ -242,10 +242,4 @@ SeamShape seamShape(
     return shape;
 }
 
-SeamShape seamShape(const InterfaceMesh& mesh, const SurfaceTopology& topology)
-{
-    const List<bool> own(mesh.triangles.size(), true);
-    return seamShape(wholeSurface(mesh), topology, own, SerialExchange());
-}
-
 } // namespace Foam::stability

@@ -6,15 +6,6 @@
 namespace Foam::stability
 {
 
-StartChart::StartChart(const InterfaceMesh& surface)
-    : StartChart(
-        surface, surface.meanCellSize(),
-        seamShape(surface, SurfaceTopology(surface.points.size(), surface.triangles))
-            .nodes
-    )
-{
-}
-
 StartChart::StartChart(
     const InterfaceMesh& piece, scalar meanCellSize, const List<SeamNode>& nodes
 )

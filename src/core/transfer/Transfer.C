@@ -21,17 +21,4 @@ TransferResult transfer(
     return result;
 }
 
-TransferResult transfer(
-    InterfaceMesh& mesh, List<Match>& matches, const MatchTarget& target,
-    const TransferOptions& options, const StartChart& chart
-)
-{
-    return transfer(
-        mesh, matches, target, options,
-        TransferSurroundings{
-            chart, seamShape(target.mesh(), target.topology()),
-            List<bool>(mesh.triangles.size(), true)}
-    );
-}
-
 } // namespace Foam::stability

@@ -8,6 +8,7 @@
 #include "shapes/PathlineRuns.H"
 #include "shapes/CutOut.H"
 #include "shapes/PolyMeshes.H"
+#include "shapes/OneRank.H"
 #include "mathematicalConstants.H"
 
 #include <cmath>

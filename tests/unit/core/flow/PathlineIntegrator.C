@@ -4,6 +4,7 @@
 #include "core/flow/PathlineIntegrator.H"
 
 #include "shapes/PathlineRuns.H"
+#include "shapes/OneRank.H"
 #include "mathematicalConstants.H"
 
 #include <cmath>

@@ -9,6 +9,7 @@
 #include "core/flow/PathlineIntegrator.H"
 #include "shapes/PathlineRuns.H"
 #include "shapes/PeriodicBox.H"
+#include "shapes/OneRank.H"
 
 #include <gtest/gtest.h>
 

@@ -2,6 +2,7 @@
 // Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/parametrization/ChartPacking.H"
+#include "shapes/OneRank.H"
 
 #include <gtest/gtest.h>
 

@@ -9,6 +9,7 @@
 #include "shapes/ChartOverlap.H"
 #include "shapes/RaggedSurface.H"
 #include "shapes/Surfaces.H"
+#include "shapes/OneRank.H"
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,7 @@
 #include "core/parametrization/Parametrization.H"
 #include "shapes/Surfaces.H"
 #include "shapes/ThreadRanks.H"
+#include "shapes/OneRank.H"
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,7 @@
 
 #include "core/transfer/Transfer.H"
 #include "shapes/ChartedSurfaces.H"
+#include "shapes/OneRank.H"
 
 #include <gtest/gtest.h>
 
@@ -88,7 +89,7 @@ pointField pointsWith(const InterfaceMesh& mesh, std::size_t nParameters)
 // T's seams have crept away by 0.01 m, the origins know it: M's lie where they began.
 TEST(CarriedOrigins, bringSeamsToWhereTheyBegan)
 {
-    const StartChart chart(sheet(0, vector2D(0, 0)));
+    const StartChart chart(startChart(sheet(0, vector2D(0, 0))));
     const InterfaceMesh T = sheet(0.01, vector2D(0.13, 0.07));
     const auto farthest = [](const pointField& places)
     {
@@ -110,7 +111,7 @@ TEST(CarriedOrigins, bringSeamsToWhereTheyBegan)
 
 TEST(CarriedOrigins, bringMeetingsToWhereTheyBegan)
 {
-    const StartChart chart(sheet(0, vector2D(0, 0)));
+    const StartChart chart(startChart(sheet(0, vector2D(0, 0))));
     const InterfaceMesh T = sheet(0.02, vector2D(0.13, 0.07));
     const MatchTarget target(T, MatchingOptions());
     const CarriedOrigins origins(target, chart);

@@ -7,6 +7,7 @@
 #include "core/transfer/Transfer.H"
 
 #include "shapes/ChartedSurfaces.H"
+#include "shapes/OneRank.H"
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,7 @@
 #include "core/transfer/SeamTreatment.H"
 
 #include "shapes/ChartedSurfaces.H"
+#include "shapes/OneRank.H"
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,7 @@
 #include "core/transfer/StartChart.H"
 
 #include "shapes/ChartedSurfaces.H"
+#include "shapes/OneRank.H"
 
 #include <gtest/gtest.h>
 
@@ -61,7 +62,7 @@ scalar errorOf(const vector2D& p, const point& origin)
 
 TEST(StartChart, readsPAndOriginOffTheStartSurface)
 {
-    const StartChart chart(cylinder(40, 0));
+    const StartChart chart(startChart(cylinder(40, 0)));
     InterfaceMesh mesh = cylinder(37, 0.05);
     const InterfaceMesh exact(mesh);
     forAll(mesh.points, pointi)
@@ -97,7 +98,7 @@ TEST(StartChart, readsPAndOriginOffTheStartSurface)
 
 TEST(StartChart, leavesWhatIsAnotherPlaceAlone)
 {
-    const StartChart chart(cylinder(40, 0));
+    const StartChart chart(startChart(cylinder(40, 0)));
     InterfaceMesh mesh = cylinder(37, 0.05);
     mesh.setOrigins(pointField(mesh.points.size(), point(0.2, -0.1, 7))
     ); // attached: where it appeared
@@ -119,7 +120,7 @@ TEST(StartChart, leavesWhatIsAnotherPlaceAlone)
 
 TEST(StartChart, knowsTheSideOfASeam)
 {
-    const StartChart chart(cylinder(40, 0));
+    const StartChart chart(startChart(cylinder(40, 0)));
     const vector2D first(0, 0.1), last(2 * M_PI / 8, 0.1);
     for (const scalar off : {0.001, 0.02, 0.1})
     {
@@ -144,7 +145,7 @@ TEST(StartChart, knowsWhereSeamsMeet)
         [](label r, const point& x)
         { return vector2D(0.1 * x.x() + 0.3 * r, 0.1 * x.y() + 0.2); }
     );
-    const StartChart chart(sheet);
+    const StartChart chart(startChart(sheet));
     const point meeting(0, 0.25, 0.5);
     const SeamNode* node = chart.seamEndNear(meeting + vector(0.05, 0.02, 0), 0.1);
     ASSERT_TRUE(node);
@@ -174,7 +175,7 @@ TEST(StartChart, staysInTheUnitSquare)
         }
         return mesh;
     };
-    const StartChart chart(atTheEdge(40, 0));
+    const StartChart chart(startChart(atTheEdge(40, 0)));
     InterfaceMesh mesh = atTheEdge(37, 0.05);
     mesh.setOrigins(mesh.points);
     EXPECT_LT(

@@ -4,6 +4,7 @@
 #include "core/transfer/Transfer.H"
 
 #include "shapes/ChartedSurfaces.H"
+#include "shapes/OneRank.H"
 
 #include <gtest/gtest.h>
 

@@ -9,6 +9,7 @@
 #include "core/transfer/DistributedChart.H"
 #include "shapes/Surfaces.H"
 #include "shapes/ThreadRanks.H"
+#include "shapes/OneRank.H"
 
 #include <gtest/gtest.h>
 
