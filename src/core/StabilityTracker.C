@@ -74,7 +74,7 @@ Comparison::Setting StabilityTracker::setting() const
     const ReconstructionFrom& change = settings_[activeSettings()];
     return {
         latest_, change.matching, change.transfer, latest_->time - lastClassified_,
-        exchange_};
+        Run{exchange_, options_.nThreads}};
 }
 
 scalar StabilityTracker::time() const
@@ -211,7 +211,7 @@ void StabilityTracker::startSurface(const SurfacePiece& interface)
     const SurfaceHalo halo(surroundings(surface, setting));
     const SmallScales scales(smallScales(
         surface, halo, Components(halo, setting.referencePoint(), exchange_), latest_,
-        options_.nThreads, exchange_
+        setting.run
     ));
     timeSurface_.setSmallScales(
         halo.toOwned(scales.thin), halo.toOwned(scales.subGrid)
@@ -252,7 +252,7 @@ void StabilityTracker::estimateNoiseFloor(
         settings_[activeSettings()].reconstruction,
         [&](const ReconstructionOptions& other)
         { return Reconstruction::New(other)->extract(*latest_).mesh; },
-        exchange_
+        Run{exchange_, options_.nThreads}
     );
 }
 

@@ -170,7 +170,7 @@ void CellComplex::computeAddressing()
 
     cellFaces_ = facesOfCells(input_);
 
-    pointNeighbours_ = LazyLists(nCells);
+    pointNeighbours_ = LazyValues<labelList>(nCells);
     pointCells_ = Rows(
         nPoints(),
         [&](const auto& add)

@@ -40,7 +40,7 @@ searchReach(std::initializer_list<const SurfacePiece*> pieces, const Setting& se
             );
         }
     }
-    return largest(reach, setting.exchange);
+    return largest(reach, setting.run.ranks);
 }
 
 // What is nearer to a piece than this [m].
@@ -54,7 +54,7 @@ void addAround(const SurfacePiece& piece, scalar distance, VoxelMask& mask)
 
 SurfaceHalo haloOf(const SurfacePiece& owned, const VoxelMask& mask, const Setting& s)
 {
-    return SurfaceHalo(owned, mask, s.exchange, s.whole().images.get());
+    return SurfaceHalo(owned, mask, s.run.ranks, s.whole().images.get());
 }
 
 VoxelMask voxelsFor(scalar reach)
@@ -130,7 +130,7 @@ Comparison::Comparison(
       timeSurface_(timeSurfaceHalo(interface, timeSurface.piece(), reach_, setting))
 {
     runOnAllRanks(
-        setting.exchange,
+        setting.run.ranks,
         [&] { near_ = nearOwn(interface, interface_, setting.matching, own_); }
     );
 }
@@ -138,7 +138,7 @@ Comparison::Comparison(
 void Comparison::match()
 {
     runOnAllRanks(
-        setting_.exchange,
+        setting_.run.ranks,
         [&]
         {
             const MatchingOptions& options = setting_.matching;
@@ -154,7 +154,7 @@ void Comparison::match()
 
 TransferResult Comparison::carryOver(const DistributedChart& chart)
 {
-    const Exchange& exchange = setting_.exchange;
+    const Exchange& exchange = setting_.run.ranks;
     DynamicList<point> unmatched;
     forAll(onInterface_, pointi)
     {
@@ -210,14 +210,13 @@ ClassifiedSurface Comparison::describeInterface(std::vector<Droplet>& droplets) 
     interface.mesh = own.piece.mesh;
 
     const SurfaceHalo halo(surroundings(own.piece, setting_));
-    const Components components(halo, setting_.referencePoint(), setting_.exchange);
+    const Components components(halo, setting_.referencePoint(), setting_.run.ranks);
     interface.areas = halo.toOwned(halo.mesh().pointAreas());
     interface.isPrimary = halo.toOwned(halo.primaryPoints());
     interface.components = halo.toOwned(components.ofPoints());
-    SmallScales scales(smallScales(
-        own.piece, halo, components, setting_.flow, setting_.matching.nThreads,
-        setting_.exchange
-    ));
+    SmallScales scales(
+        smallScales(own.piece, halo, components, setting_.flow, setting_.run)
+    );
     interface.thin = halo.toOwned(scales.thin);
     interface.subGrid = halo.toOwned(scales.subGrid);
     droplets = std::move(scales.droplets);
@@ -259,7 +258,7 @@ ClassifiedSurface describe(
         }
     }
     surface.components =
-        Components(halo, setting.referencePoint(), setting.exchange).ofPoints();
+        Components(halo, setting.referencePoint(), setting.run.ranks).ofPoints();
     return surface;
 }
 

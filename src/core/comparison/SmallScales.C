@@ -189,14 +189,15 @@ List<bool> ofDroplets(
 
 SmallScales smallScales(
     const SurfacePiece& owned, const SurfaceHalo& halo, const Components& components,
-    const std::shared_ptr<const FlowSnapshot>& snapshot, label nThreads,
-    const Exchange& exchange
+    const std::shared_ptr<const FlowSnapshot>& snapshot, const Run& run
 )
 {
     SmallScales scales;
-    runOnAllRanks(exchange, [&] { scales.thin = thinPoints(halo.mesh(), nThreads); });
-    scales.droplets = dropletsAtHome(owned, components, snapshot, exchange);
-    const List<bool> triangles(ofDroplets(owned, components, scales.droplets, exchange)
+    runOnAllRanks(
+        run.ranks, [&] { scales.thin = thinPoints(halo.mesh(), run.nThreads); }
+    );
+    scales.droplets = dropletsAtHome(owned, components, snapshot, run.ranks);
+    const List<bool> triangles(ofDroplets(owned, components, scales.droplets, run.ranks)
     );
     scales.subGrid.setSize(halo.mesh().points.size(), false);
     forAll(halo.mesh().triangles, trianglei)

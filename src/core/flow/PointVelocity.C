@@ -11,13 +11,6 @@ namespace Foam::stability
 namespace
 {
 
-enum State : unsigned char
-{
-    empty,
-    busy,
-    ready
-};
-
 // Wall faces that meet at less than this angle (45 degrees) are one bent wall: a
 // particle slides around the bend. At a sharper edge it keeps to every face.
 constexpr scalar sameWallCosine = 0.70710678118654752;
@@ -116,30 +109,8 @@ PointVelocity::PointVelocity(
     std::shared_ptr<const FlowSnapshot> snapshot, WallVelocity wallVelocity
 )
     : snapshot_(std::move(snapshot)), wallVelocity_(wallVelocity),
-      values_(snapshot_->complex->nPoints()),
-      states_(new std::atomic<unsigned char>[snapshot_->complex->nPoints()])
+      values_(snapshot_->complex->nPoints())
 {
-    forAll(values_, pointi)
-    {
-        states_[pointi].store(empty, std::memory_order_relaxed);
-    }
-}
-
-vector PointVelocity::atPoint(label pointi) const
-{
-    if (states_[pointi].load(std::memory_order_acquire) == ready)
-    {
-        return values_[pointi];
-    }
-    const vector value = compute(pointi);
-    unsigned char expected = empty;
-    // Whoever comes second does not wait: it has the same bits already.
-    if (states_[pointi].compare_exchange_strong(expected, busy))
-    {
-        values_[pointi] = value;
-        states_[pointi].store(ready, std::memory_order_release);
-    }
-    return value;
 }
 
 vector PointVelocity::compute(label pointi) const

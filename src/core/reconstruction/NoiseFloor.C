@@ -78,22 +78,19 @@ scalar noiseFloor(
     const InterfaceMesh& mesh, const scalarField& spread, const UList<bool>& isPrimary,
     const ReconstructionOptions& options,
     const std::function<InterfaceMesh(const ReconstructionOptions&)>& extract,
-    const Exchange& exchange
+    const Run& run
 )
 {
     if (options.sharpening != Sharpening::none)
     {
-        return spreadFloor(spread, isPrimary, exchange);
+        return spreadFloor(spread, isPrimary, run.ranks);
     }
     scalarField distances;
     runOnAllRanks(
-        exchange,
-        [&] {
-            distances =
-                distancesFrom(extract(otherThan(options)), mesh, options.nThreads);
-        }
+        run.ranks, [&]
+        { distances = distancesFrom(extract(otherThan(options)), mesh, run.nThreads); }
     );
-    return noiseQuantile(distances, isPrimary, exchange);
+    return noiseQuantile(distances, isPrimary, run.ranks);
 }
 
 } // namespace Foam::stability

@@ -42,9 +42,9 @@ Found find(const shapes::Shape& shape, Sharpening sharpening = Sharpening::none)
     );
     const SerialExchange alone;
     const SurfaceHalo halo(surface, VoxelMask(h), alone);
-    const SmallScales scales(
-        smallScales(surface, halo, Components(halo, centre, alone), snapshot, 1, alone)
-    );
+    const SmallScales scales(smallScales(
+        surface, halo, Components(halo, centre, alone), snapshot, Run{alone, 1}
+    ));
     Found found;
     found.droplets = scales.droplets;
     const List<bool>& flags = scales.subGrid;

@@ -55,7 +55,7 @@ Floors floorsOf(
     );
     const List<bool> all(errors.size(), true);
     return {
-        noiseFloor(result.mesh, spread, all, options, extract, alone),
+        noiseFloor(result.mesh, spread, all, options, extract, Run{alone, nThreads}),
         noiseQuantile(errors, all, alone)};
 }
 
