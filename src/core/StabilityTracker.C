@@ -3,7 +3,7 @@
 
 #include "core/StabilityTracker.H"
 
-#include "core/base/Busy.H"
+#include "core/base/ScopedTimer.H"
 #include "core/base/Errors.H"
 #include "core/parametrization/Flattening.H"
 #include "core/ranks/ExactSum.H"
@@ -30,18 +30,18 @@ StabilityTracker::~StabilityTracker() = default;
 
 void StabilityTracker::makeReconstructions()
 {
-    changes_ = {
+    settings_ = {
         {-VGREAT, options_.reconstruction, options_.matching, options_.transfer}};
     for (const ReconstructionFrom& later : options_.later)
     {
-        if (!(later.from > changes_.back().from))
+        if (!(later.from > settings_.back().from))
         {
             throw BadInput("The times from which on other reconstructions apply must "
                            "ascend.");
         }
-        changes_.push_back(later);
+        settings_.push_back(later);
     }
-    for (ReconstructionFrom& change : changes_)
+    for (ReconstructionFrom& change : settings_)
     {
         change.reconstruction.nThreads = options_.nThreads;
         change.matching.nThreads = options_.nThreads;
@@ -51,10 +51,10 @@ void StabilityTracker::makeReconstructions()
 }
 
 // Of the changes the last that has begun.
-std::size_t StabilityTracker::present() const
+std::size_t StabilityTracker::activeSettings() const
 {
-    std::size_t i = changes_.size() - 1;
-    while (i > 0 && !hasBegun(changes_[i].from, latest_->time))
+    std::size_t i = settings_.size() - 1;
+    while (i > 0 && !hasBegun(settings_[i].from, latest_->time))
     {
         --i;
     }
@@ -65,13 +65,13 @@ void StabilityTracker::enter(Phase phase) const
 {
     if (options_.entering)
     {
-        together(exchange_, [&] { options_.entering(phase); });
+        runOnAllRanks(exchange_, [&] { options_.entering(phase); });
     }
 }
 
 Comparison::Setting StabilityTracker::setting() const
 {
-    const ReconstructionFrom& change = changes_[present()];
+    const ReconstructionFrom& change = settings_[activeSettings()];
     return {
         latest_, change.matching, change.transfer, latest_->time - lastClassified_,
         exchange_};
@@ -87,7 +87,7 @@ std::shared_ptr<const PointVelocity>
 StabilityTracker::velocityOf(const std::shared_ptr<const FlowSnapshot>& snapshot) const
 {
     std::shared_ptr<const PointVelocity> velocity;
-    together(
+    runOnAllRanks(
         exchange_,
         [&]
         {
@@ -129,13 +129,13 @@ void StabilityTracker::advance(std::shared_ptr<const FlowSnapshot> snapshot)
     const auto velocity = velocityOf(snapshot);
     const VelocityInterval interval(latestVelocity_, velocity);
     {
-        const Busy watch(timings_.advection);
+        const ScopedTimer watch(timings_.advection);
         enter(Phase::advection);
         surfaceCounts_ +=
             timeSurface_.advance(interval, options_.integration, complex(), exchange_);
     }
     {
-        const Busy watch(timings_.particles);
+        const ScopedTimer watch(timings_.particles);
         enter(Phase::particles);
         particleCounts_ +=
             particles_.advance(interval, options_.integration, complex(), exchange_);
@@ -152,15 +152,17 @@ scalar StabilityTracker::displacement()
 StabilityTracker::Extracted StabilityTracker::extract()
 {
     enter(Phase::reconstruction);
-    const Busy watch(timings_.reconstruction);
+    const ScopedTimer watch(timings_.reconstruction);
     Extracted extracted;
-    together(
+    runOnAllRanks(
         exchange_,
         [&]
         {
             ReconstructionResult& result = extracted.result;
-            result = reconstructions_[present()]->extract(*latest_);
-            extracted.piece.joined = result.joined;
+            result = reconstructions_[activeSettings()]->extract(*latest_);
+            extracted.piece.sharesPoints =
+                reconstructionMethod(settings_[activeSettings()].reconstruction.method)
+                    .sharesPoints;
             const labelList kept(
                 stability::keepOwn(extracted.piece, result.mesh, complex())
             );
@@ -185,11 +187,11 @@ StabilityTracker::Extracted StabilityTracker::extract()
 void StabilityTracker::startSurface(const SurfacePiece& interface)
 {
     enter(Phase::parametrization);
-    const Busy watch(timings_.parametrization);
+    const ScopedTimer watch(timings_.parametrization);
     const Comparison::Setting setting(this->setting());
     {
         const Components components(
-            surroundings(interface, setting), setting.apex(), exchange_
+            surroundings(interface, setting), setting.referencePoint(), exchange_
         );
         const List<bool> all(interface.mesh.triangles.size(), true);
         result_.parametrization = parametrize(
@@ -199,19 +201,21 @@ void StabilityTracker::startSurface(const SurfacePiece& interface)
     }
     SurfacePiece& surface = result_.parametrization->surface;
     surface = join({surface}).piece; // points in the order of triangles
-    TimeSurface::Marks marks;
+    PointMarks marks;
     marks.areas = surface.mesh.pointAreas();
-    marks.counted = List<bool>(surface.mesh.points.size(), true);
+    marks.isPrimary = List<bool>(surface.mesh.points.size(), true);
     timeSurface_.seedRemeshed(surface, marks, latest_->time, complex(), exchange_);
     surface = timeSurface_.piece();
-    chart_ = SpreadChart(surface, complex().whole(), exchange_);
+    chart_ = DistributedChart(surface, complex().whole(), exchange_);
 
     const SurfaceHalo halo(surroundings(surface, setting));
     const SmallScales scales(smallScales(
-        surface, halo, Components(halo, setting.apex(), exchange_), latest_,
+        surface, halo, Components(halo, setting.referencePoint(), exchange_), latest_,
         options_.nThreads, exchange_
     ));
-    timeSurface_.setSmallScales(halo.ofHeld(scales.thin), halo.ofHeld(scales.subGrid));
+    timeSurface_.setSmallScales(
+        halo.toOwned(scales.thin), halo.toOwned(scales.subGrid)
+    );
     parametrized_ = true;
 }
 
@@ -219,19 +223,19 @@ void StabilityTracker::startSurface(const SurfacePiece& interface)
 void StabilityTracker::compare(const Extracted& extracted)
 {
     enter(Phase::matching);
-    std::optional<Busy> watch(timings_.matching);
-    timeSurface_.comeHome(complex(), exchange_);
+    std::optional<ScopedTimer> watch(timings_.matching);
+    timeSurface_.collectPoints(complex(), exchange_);
     Comparison comparison(setting(), extracted.piece, timeSurface_);
     comparison.match();
     watch.emplace(timings_.reconstruction);
-    rateNoise(extracted, comparison.interface());
+    estimateNoiseFloor(extracted, comparison.interface());
 
     enter(Phase::transfer);
     watch.emplace(timings_.transfer);
     result_.transfer = comparison.carryOver(chart_);
     result_.interface = comparison.describeInterface(result_.droplets);
     const ClassifiedSurface timeSurface(comparison.describeTimeSurface());
-    result_.timeSurface = ofHeld(timeSurface, comparison.timeSurface(), timeSurface_);
+    result_.timeSurface = toOwned(timeSurface, comparison.timeSurface(), timeSurface_);
     watch.emplace(timings_.particles);
     particles_.seed(
         timeSurface, comparison.timeSurface(), complex(), latest_->time, exchange_
@@ -239,21 +243,23 @@ void StabilityTracker::compare(const Extracted& extracted)
     result_.nSkippedParticles = particles_.nSkipped();
 }
 
-void StabilityTracker::rateNoise(const Extracted& fresh, const SurfaceHalo& halo)
+void StabilityTracker::estimateNoiseFloor(
+    const Extracted& fresh, const SurfaceHalo& halo
+)
 {
     result_.statistics.noiseFloor = noiseFloor(
-        fresh.piece.mesh, fresh.spread, halo.ofHeld(halo.counted()),
-        changes_[present()].reconstruction,
+        fresh.piece.mesh, fresh.spread, halo.toOwned(halo.primaryPoints()),
+        settings_[activeSettings()].reconstruction,
         [&](const ReconstructionOptions& other)
         { return Reconstruction::New(other)->extract(*latest_).mesh; },
         exchange_
     );
 }
 
-void StabilityTracker::takeStock(const Extracted& extracted)
+void StabilityTracker::computeStatistics(const Extracted& extracted)
 {
     enter(Phase::statistics);
-    const Busy watch(timings_.statistics);
+    const ScopedTimer watch(timings_.statistics);
     Statistics& statistics = result_.statistics;
     statistics.time = latest_->time;
     statistics.interval = latest_->time - lastClassified_;
@@ -263,16 +269,16 @@ void StabilityTracker::takeStock(const Extracted& extracted)
     statistics.nParticles = particles_.nSeeded();
     statistics.nMerged = result_.transfer.nMerged;
     statistics.nSplit = result_.transfer.nSplit;
-    survey(
+    addSurfaceStatistics(
         statistics, result_.interface, result_.timeSurface, result_.epsilon, exchange_
     );
-    surveyDisplacement(
-        statistics, result_.timeSurface, timeSurface_.piece().seeds, exchange_
+    addDisplacement(
+        statistics, result_.timeSurface, timeSurface_.piece().startPositions, exchange_
     );
 }
 
 // Step 6: the interface is the seed of the next time surface.
-void StabilityTracker::handOn(bool begins)
+void StabilityTracker::reseedTimeSurface(bool begins)
 {
     const ClassifiedSurface& interface = result_.interface;
     SurfacePiece piece;
@@ -280,13 +286,8 @@ void StabilityTracker::handOn(bool begins)
     piece.mesh = interface.mesh;
     if (!begins)
     {
-        const Busy watch(timings_.advection);
-        timeSurface_.seed(
-            piece,
-            {interface.areas, interface.counted, interface.nearWall, interface.thin,
-             interface.subGrid},
-            latest_->time, complex(), exchange_
-        );
+        const ScopedTimer watch(timings_.advection);
+        timeSurface_.seed(piece, interface, latest_->time, complex(), exchange_);
     }
     else if (nClassified_ > 0)
     {
@@ -301,13 +302,14 @@ void StabilityTracker::handOn(bool begins)
             match.nPreimages = 1;
             match.nearest.distance = 0;
         }
-        result_.timeSurface =
-            ofHeld(describe(timeSurface_, halo, atHome, setting()), halo, timeSurface_);
+        result_.timeSurface = toOwned(
+            describe(timeSurface_, halo, atHome, setting()), halo, timeSurface_
+        );
     }
 }
 
 // What noise leaves of the classes.
-void StabilityTracker::rateClasses()
+void StabilityTracker::computeConfidence()
 {
     for (ClassifiedSurface* surface : {&result_.interface, &result_.timeSurface})
     {
@@ -320,7 +322,7 @@ const Classification& StabilityTracker::classify()
 {
     result_ = Classification();
     result_.index = nClassified_;
-    result_.epsilon = changes_[present()].matching.epsilon;
+    result_.epsilon = settings_[activeSettings()].matching.epsilon;
     result_.timeSurfaceCounts = sumOf(std::exchange(surfaceCounts_, {}));
     result_.particleCounts = sumOf(std::exchange(particleCounts_, {}));
 
@@ -332,9 +334,9 @@ const Classification& StabilityTracker::classify()
         startSurface(extracted.piece);
     }
     compare(extracted);
-    takeStock(extracted);
-    handOn(begins);
-    rateClasses();
+    computeStatistics(extracted);
+    reseedTimeSurface(begins);
+    computeConfidence();
     result_.droplets = gatheredDroplets(result_.droplets, exchange_);
 
     lastClassified_ = latest_->time;

@@ -4,9 +4,10 @@
 #include "foam/AnalysisSession.H"
 
 #include "core/base/Errors.H"
-#include "core/base/Busy.H"
+#include "core/base/ScopedTimer.H"
 #include "core/base/Version.H"
-#include "foam/ranks/OnAll.H"
+#include "core/comparison/StatisticsTables.H"
+#include "core/ranks/Exchange.H"
 #include "fvMesh.H"
 
 #include <cmath>
@@ -18,16 +19,14 @@ namespace Foam::stability
 namespace
 {
 
-void checkFinite(
-    const std::vector<scalar>& values, const std::vector<std::string>& columns
-)
+void checkFinite(const Statistics& statistics)
 {
-    for (std::size_t i = 0; i < values.size(); ++i)
+    for (const TableColumn<Statistics>& column : stabilityTable().columns)
     {
-        if (!std::isfinite(values[i]))
+        if (!std::isfinite(column.value(statistics)))
         {
             throw NumericalFailure(
-                "The result " + columns[i] + " is not finite: the analysis failed."
+                "The result " + column.name + " is not finite: the analysis failed."
             );
         }
     }
@@ -41,8 +40,7 @@ AnalysisSession::AnalysisSession(
 )
     : mesh_(mesh), controls_(controls), resultFolder_(folder),
       snapshots_(mesh, controls.fields, controls.tracker, source, messages_),
-      tracker_(observed(controls.tracker), messages_), seconds_(phaseNames().size(), 0),
-      secondsBefore_(seconds_)
+      tracker_(observed(controls.tracker), messages_)
 {
 }
 
@@ -67,8 +65,8 @@ void AnalysisSession::expect(const instantList& times)
 
 std::shared_ptr<const FlowSnapshot> AnalysisSession::takeSnapshot()
 {
-    const Busy busy(readingSeconds_);
-    onAll(messages_, [&] { enter(Phase::reading); });
+    const ScopedTimer busy(timings_.reading);
+    runOnAllRanks(messages_, [&] { enter(Phase::reading); });
     return snapshots_.take();
 }
 
@@ -82,7 +80,7 @@ void AnalysisSession::prepareResults()
     path_ = resultPath();
     if (controls_.writeToFile)
     {
-        onMaster(
+        runOnMaster(
             messages_,
             [&] {
                 folder_ =
@@ -96,7 +94,7 @@ void AnalysisSession::prepareResults()
 
 void AnalysisSession::advance()
 {
-    const Busy busy(busySeconds_);
+    const ScopedTimer busy(busySeconds_);
     phase_ = Phase::reading;
     time_ = snapshots_.time();
     if (meshChanged_)
@@ -126,7 +124,7 @@ bool AnalysisSession::isClassified() const
 
 scalar AnalysisSession::displacement()
 {
-    const Busy busy(busySeconds_);
+    const ScopedTimer busy(busySeconds_);
     return tracker_.started() ? tracker_.displacement() : 0;
 }
 
@@ -136,19 +134,19 @@ void AnalysisSession::classify()
     {
         return;
     }
-    std::optional<Busy> busy(busySeconds_);
+    std::optional<ScopedTimer> busy(busySeconds_);
     latest_ = nullptr;
     const Classification& classification = tracker_.classify();
     statistics_ = classification.statistics;
     ++nClassified_;
     latest_ = &classification;
     filesWritten_ = false;
-    onAll(messages_, [&] { enter(Phase::writing); });
-    onMaster(
+    runOnAllRanks(messages_, [&] { enter(Phase::writing); });
+    runOnMaster(
         messages_,
         [&]
         {
-            checkFinite(classification.statistics.values(), Statistics::columns());
+            checkFinite(classification.statistics);
             writeTables();
             busy.reset();
             progress_.classified(
@@ -165,10 +163,10 @@ void AnalysisSession::writeTables()
         return;
     }
     {
-        const Busy busy(writingSeconds_);
+        const ScopedTimer busy(timings_.writing);
         folder_->writeTables(*latest_);
     }
-    secondsBefore_ = seconds_;
+    timingRow_.before = timingRow_.now;
     writeTimings();
 }
 
@@ -178,9 +176,9 @@ void AnalysisSession::writeFiles()
     {
         return;
     }
-    const Busy busy(busySeconds_);
+    const ScopedTimer busy(busySeconds_);
     filesWritten_ = true;
-    onAll(messages_, [&] { enter(Phase::writing); });
+    runOnAllRanks(messages_, [&] { enter(Phase::writing); });
     writeTurns();
 }
 
@@ -189,7 +187,7 @@ void AnalysisSession::writeTurns()
     const auto itsTurn = [&](label interval)
     { return series_ && interval > 0 && latest_->index % interval == 0; };
     {
-        const Busy writing(writingSeconds_);
+        const ScopedTimer writing(timings_.writing);
         if (itsTurn(controls_.surfaceInterval))
         {
             series_->writeSurfaces(*latest_);
@@ -199,7 +197,7 @@ void AnalysisSession::writeTurns()
             series_->writeParticles(tracker_.particles(), *latest_);
         }
     }
-    onMaster(messages_, [&] { writeTimings(); });
+    runOnMaster(messages_, [&] { writeTimings(); });
 }
 
 // The row of the latest classified time, anew where its files came later.
@@ -209,16 +207,10 @@ void AnalysisSession::writeTimings()
     {
         return;
     }
-    const TrackerTimings& t = tracker_.timings();
-    seconds_ = {readingSeconds_, t.reconstruction, t.parametrization,
-                t.advection,     t.particles,      t.matching,
-                t.transfer,      t.statistics,     writingSeconds_};
-    std::vector<scalar> since(seconds_);
-    for (std::size_t i = 0; i < since.size(); ++i)
-    {
-        since[i] -= secondsBefore_[i];
-    }
-    folder_->writeTimings(statistics_.time, since);
+    static_cast<TrackerTimings&>(timings_) = tracker_.timings();
+    timingRow_.time = statistics_.time;
+    timingRow_.now = timings_;
+    folder_->writeTimings(timingRow_);
 }
 
 // What the busiest rank sent.

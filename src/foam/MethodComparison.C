@@ -3,8 +3,7 @@
 
 #include "foam/MethodComparison.H"
 
-#include "core/base/FileReplacement.H"
-#include "core/base/Version.H"
+#include "foam/results/ResultTable.H"
 #include "OSspecific.H"
 
 #include <iomanip>
@@ -14,32 +13,19 @@
 namespace Foam::stability
 {
 
-void MethodComparison::write(const fileName& path) const
+void MethodComparison::write(const fileName& folder) const
 {
-    constexpr int width = 23, precision = 15;
-    std::ostringstream os;
-    os << "# " << generator()
-       << "\n# Means over the classified times; meanDistance in cells, area in m2\n# "
-       << std::left << std::setw(width - 2) << "method";
-    for (const std::string& name : MethodScore::columns())
-    {
-        os << '\t' << std::setw(width) << name;
-    }
-    os << '\n' << std::setprecision(precision);
+    constexpr label precision = 15;
+    ResultTable<MethodScore> table(methodTable(), precision);
     for (const MethodScore& score : scores_)
     {
-        os << std::setw(width) << score.name();
-        for (const scalar value : score.values())
-        {
-            os << '\t' << std::setw(width) << value;
-        }
-        os << '\n';
+        table.addRow(score);
     }
-    if (!mkDir(path.path()))
+    if (!mkDir(folder))
     {
-        throw std::runtime_error("Cannot make the folder " + path.path() + ".");
+        throw std::runtime_error("Cannot make the folder " + folder + ".");
     }
-    replaceFile(path, os.str());
+    table.write(folder);
 }
 
 std::string MethodComparison::verdict() const

@@ -106,7 +106,7 @@ PeriodicPiece periodicPiece(CellComplexInput box, const std::vector<CyclicPair>&
     box.globalCells = identity(whole.nCells());
     box.globalPoints = identity(whole.nPoints());
     box.globalBoundaryFaces = identity(box.kinds.size());
-    box.behind = labelList(box.kinds.size(), -1);
+    box.cellBehind = labelList(box.kinds.size(), -1);
     const labelList lowest(lowestPoints(box, pairs));
 
     const pointField centres(
@@ -118,7 +118,7 @@ PeriodicPiece periodicPiece(CellComplexInput box, const std::vector<CyclicPair>&
         for (const label i : facesOf(box, from))
         {
             const label other = nearestTo(motion.inverse()(centres[i]), centres, there);
-            box.behind[i] = piece.images->cell(
+            box.cellBehind[i] = piece.images->cell(
                 box.owner[nInternal + other], piece.images->indexOf(motion)
             );
         }
@@ -128,11 +128,11 @@ PeriodicPiece periodicPiece(CellComplexInput box, const std::vector<CyclicPair>&
         lead(pair.first, pair.second, pair.motion);
         lead(pair.second, pair.first, pair.motion.inverse());
     }
-    forAll(box.behind, i)
+    forAll(box.cellBehind, i)
     {
-        if (box.behind[i] >= 0)
+        if (box.cellBehind[i] >= 0)
         {
-            box.kinds[i] = BoundaryKind::beyond;
+            box.kinds[i] = BoundaryKind::coupledUnknown;
             box.patches[i] = -1;
         }
     }

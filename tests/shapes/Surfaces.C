@@ -238,7 +238,7 @@ InterfaceMesh asInterface(const PlainSurface& surface, scalar cellSize)
     return mesh;
 }
 
-PlainSurface together(const std::vector<PlainSurface>& surfaces)
+PlainSurface inOneScene(const std::vector<PlainSurface>& surfaces)
 {
     label nPoints = 0, nTriangles = 0;
     for (const PlainSurface& surface : surfaces)

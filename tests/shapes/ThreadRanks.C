@@ -94,7 +94,7 @@ public:
         return sum;
     }
 
-    std::string firstOf(const std::string& text) const override
+    std::string firstNonEmpty(const std::string& text) const override
     {
         Packet packet;
         for (const char c : text)

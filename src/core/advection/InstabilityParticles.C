@@ -14,18 +14,34 @@ namespace Foam::stability
 namespace
 {
 
-// p of any corner of the triangles around each point; (-1, -1) where none has one.
-List<vector2D> pointParameters(const InterfaceMesh& mesh)
+// What a particle at a point remembers of T.
+struct Provenance
 {
-    List<vector2D> result(mesh.points.size(), vector2D(-1, -1));
+    vector2D parameter{-1, -1};
+    point origin{Zero}; // [m]
+};
+
+// p and the origin of the last corner at each point that has p, or, where none has, the
+// origin of any.
+std::vector<Provenance> provenances(const InterfaceMesh& mesh)
+{
+    std::vector<Provenance> result(mesh.points.size());
+    std::vector<bool> hasP(mesh.points.size(), false);
     forAll(mesh.triangles, trianglei)
     {
         for (label k = 0; k < 3; ++k)
         {
+            const label pointi = mesh.triangles[trianglei][k];
             const label parameteri = mesh.corners[trianglei][k];
+            Provenance& there = result[pointi];
             if (parameteri != InterfaceMesh::noParameter)
             {
-                result[mesh.triangles[trianglei][k]] = mesh.parameters[parameteri];
+                there = {mesh.parameters[parameteri], mesh.origin(trianglei, k)};
+                hasP[pointi] = true;
+            }
+            else if (!hasP[pointi])
+            {
+                there.origin = mesh.origin(trianglei, k);
             }
         }
     }
@@ -85,14 +101,14 @@ private:
     // By first triangles, which are own for the points that count here.
     void addPoints()
     {
-        const List<vector2D> parameters(pointParameters(mesh_));
+        const std::vector<Provenance> known(provenances(mesh_));
         List<bool> met(mesh_.points.size(), false);
         forAll(mesh_.triangles, trianglei)
         {
             for (label k = 0; k < 3; ++k)
             {
                 const label pointi = mesh_.triangles[trianglei][k];
-                if (met[pointi] || !surface_.counted[pointi] || !detached(pointi))
+                if (met[pointi] || !surface_.isPrimary[pointi] || !detached(pointi))
                 {
                     continue;
                 }
@@ -101,9 +117,10 @@ private:
                 InstabilityParticle& particle = seed.particle;
                 particle.path.x = mesh_.points[pointi];
                 particle.path.hint.cell = mesh_.cells[pointi];
-                particle.parameter = parameters[pointi];
-                particle.origin = mesh_.origins[pointi];
+                particle.parameter = known[pointi].parameter;
+                particle.origin = known[pointi].origin;
                 particle.component = surface_.components[pointi];
+                markAs(surface_, pointi, particle);
                 particle.weight = 0.5 * surface_.areas[pointi];
                 points.append(seed);
                 TriangleKey key(halo_.piece().keys[trianglei]);
@@ -129,9 +146,17 @@ private:
             particle.path.x = mesh_.centre(trianglei);
             particle.path.hint.cell = mesh_.cells[t[0]];
             particle.parameter = centreParameter(mesh_, trianglei);
-            particle.origin =
-                (mesh_.origins[t[0]] + mesh_.origins[t[1]] + mesh_.origins[t[2]]) / 3;
+            particle.origin = (mesh_.origin(trianglei, 0) + mesh_.origin(trianglei, 1)
+                               + mesh_.origin(trianglei, 2))
+                              / 3;
             particle.component = surface_.components[t[0]];
+            markAs(
+                surface_,
+                detached(t[0])   ? t[0]
+                : detached(t[1]) ? t[1]
+                                 : t[2],
+                particle
+            );
             particle.weight = 0.5 * mag(mesh_.areaVector(trianglei));
             triangles.append(seed);
             triangleKeys.append(halo_.piece().keys[trianglei]);
@@ -172,7 +197,7 @@ void InstabilityParticles::seed(
     number(seeding.triangleKeys, seeding.triangles);
 
     disperse(seeds, complex, exchange);
-    together(
+    runOnAllRanks(
         exchange,
         [&]
         {
@@ -188,7 +213,7 @@ void InstabilityParticles::seed(
         }
     );
     leaveImages(seeds, complex, exchange);
-    together(
+    runOnAllRanks(
         exchange,
         [&]
         {

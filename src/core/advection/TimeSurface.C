@@ -30,7 +30,8 @@ label unwrappedCell(const Pathline& path, const CellComplex& complex)
 {
     const label cell = complex.globalCell(path.hint.cell);
     const std::shared_ptr<const PeriodicImages>& images = complex.whole().images;
-    return images ? images->movedCell(cell, images->indexOf(path.way)) : cell;
+    return images ? images->movedCell(cell, images->indexOf(path.unwrapTransform))
+                  : cell;
 }
 
 } // namespace
@@ -48,8 +49,8 @@ void TimeSurface::send(
         path.id = pointi;
         path.home = exchange.rank();
         path.x = path.start = mesh.points[pointi];
-        path.counted = marks_.counted[pointi];
-        path.weight = path.counted ? marks_.areas[pointi] : 0;
+        path.isPrimary = marks_.isPrimary[pointi];
+        path.weight = path.isPrimary ? marks_.areas[pointi] : 0;
         path.time = time;
         path.hint.cell = mesh.cells[pointi];
         pathlines_.append(path);
@@ -58,7 +59,7 @@ void TimeSurface::send(
 }
 
 void TimeSurface::seed(
-    const SurfacePiece& piece, const Marks& marks, scalar time,
+    const SurfacePiece& piece, const PointMarks& marks, scalar time,
     const CellComplex& complex, const Exchange& exchange
 )
 {
@@ -68,13 +69,13 @@ void TimeSurface::seed(
 }
 
 void TimeSurface::seedRemeshed(
-    const SurfacePiece& piece, const Marks& marks, scalar time,
+    const SurfacePiece& piece, const PointMarks& marks, scalar time,
     const CellComplex& complex, const Exchange& exchange
 )
 {
     seed(piece, marks, time, complex, exchange);
     marks_.nearWall = List<bool>(piece.mesh.points.size(), false);
-    together(
+    runOnAllRanks(
         exchange,
         [&]
         {
@@ -88,7 +89,7 @@ void TimeSurface::seedRemeshed(
             }
         }
     );
-    comeHome(complex, exchange);
+    collectPoints(complex, exchange);
     send(time, complex, exchange); // some have changed rank
 }
 
@@ -118,7 +119,7 @@ TimeSurface::displacement(const CellComplex& complex, const Exchange& exchange) 
     return weight > 0 ? std::sqrt(sums[0].value() / weight) : 0;
 }
 
-void TimeSurface::comeHome(const CellComplex& complex, const Exchange& exchange)
+void TimeSurface::collectPoints(const CellComplex& complex, const Exchange& exchange)
 {
     std::vector<DynamicList<Arrival>> toRanks(exchange.nRanks());
     for (const Pathline& path : pathlines_)

@@ -42,7 +42,7 @@ public:
         block.cells.transfer(cells_);
         block.nFaces.transfer(nFaces_);
         block.faces.transfer(faces_);
-        block.behind.transfer(behind_);
+        block.cellBehind.transfer(behind_);
         block.boundaryFaces.transfer(boundaryFaces_);
         block.kinds.transfer(kinds_);
         block.patches.transfer(patches_);
@@ -76,16 +76,16 @@ private:
 
         const label i = facei - nInternal_;
         const bool internal = i < 0;
-        const bool beyond = !internal && mesh_.kinds[i] == BoundaryKind::beyond;
+        const bool beyond = !internal && mesh_.kinds[i] == BoundaryKind::coupledUnknown;
         const bool boundary = !internal && !beyond;
         behind_.append(
             internal ? mesh_.globalCells
                            [isOwner ? mesh_.neighbour[facei] : mesh_.owner[facei]]
-            : beyond ? mesh_.behind[i]
+            : beyond ? mesh_.cellBehind[i]
                      : -1
         );
         boundaryFaces_.append(boundary ? mesh_.globalBoundaryFaces[i] : -1);
-        kinds_.append(boundary ? mesh_.kinds[i] : BoundaryKind::beyond);
+        kinds_.append(boundary ? mesh_.kinds[i] : BoundaryKind::coupledUnknown);
         patches_.append(boundary ? mesh_.patches[i] : -1);
     }
 
@@ -128,7 +128,7 @@ private:
     struct Side
     {
         label celli;
-        label behind, boundaryFace;
+        label cellBehind, boundaryFace;
         BoundaryKind kind;
         label patch;
     };
@@ -178,7 +178,7 @@ private:
                     continue;
                 }
                 const label celli = cellNumbers_[block.cells[i]];
-                const auto behind = cellNumbers_.cfind(block.behind[k]);
+                const auto behind = cellNumbers_.cfind(block.cellBehind[k]);
                 face f(block.faces[k]);
                 for (label& pointi : f)
                 {
@@ -188,8 +188,8 @@ private:
                 {
                     boundary_.append(f);
                     sides_.append(
-                        {celli, block.behind[k], block.boundaryFaces[k], block.kinds[k],
-                         block.patches[k]}
+                        {celli, block.cellBehind[k], block.boundaryFaces[k],
+                         block.kinds[k], block.patches[k]}
                     );
                 }
                 else if (celli < behind.val()) // each once
@@ -218,7 +218,7 @@ private:
             kinds_.append(side.kind);
             patches_.append(side.patch);
             boundaryFaces_.append(side.boundaryFace);
-            behind_.append(side.behind);
+            behind_.append(side.cellBehind);
         }
         mesh_.owner.transfer(owner_);
         mesh_.neighbour.transfer(neighbour_);
@@ -231,12 +231,12 @@ private:
         const CanonicalOrder order = orderByPosition(mesh_);
         const label nInternal = mesh_.neighbour.size();
         mesh_.globalBoundaryFaces.setSize(boundaryFaces_.size());
-        mesh_.behind.setSize(behind_.size());
-        forAll(mesh_.behind, i)
+        mesh_.cellBehind.setSize(behind_.size());
+        forAll(mesh_.cellBehind, i)
         {
             const label old = order.faces[nInternal + i] - nInternal;
             mesh_.globalBoundaryFaces[i] = boundaryFaces_[old];
-            mesh_.behind[i] = behind_[old];
+            mesh_.cellBehind[i] = behind_[old];
         }
         return std::move(mesh_);
     }
@@ -271,7 +271,7 @@ CellBlock moved(CellBlock block, label image, const PeriodicImages& images)
 {
     const auto moveCell = [&](label& cell) { cell = images.movedCell(cell, image); };
     std::for_each(block.cells.begin(), block.cells.end(), moveCell);
-    for (label& cell : block.behind)
+    for (label& cell : block.cellBehind)
     {
         if (cell >= 0)
         {

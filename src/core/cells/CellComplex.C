@@ -201,7 +201,7 @@ void CellComplex::computeAddressing()
         {
             for (label facei = nInternalFaces(); facei < nFaces(); ++facei)
             {
-                if (kinds()[facei - nInternalFaces()] != BoundaryKind::beyond)
+                if (kinds()[facei - nInternalFaces()] != BoundaryKind::coupledUnknown)
                 {
                     for (const label pointi : faces()[facei])
                     {
@@ -217,7 +217,7 @@ void CellComplex::computeAddressing()
         {
             nearWall_[owner()[nInternalFaces() + i]] = true;
         }
-        else if (kinds()[i] == BoundaryKind::beyond)
+        else if (kinds()[i] == BoundaryKind::coupledUnknown)
         {
             for (const label pointi : faces()[nInternalFaces() + i])
             {

@@ -11,7 +11,7 @@ void pack(const CellBlock& block, Packet& packet)
     packet.putList(block.cells);
     packet.putList(block.nFaces);
     packet.putFaces(block.faces);
-    packet.putList(block.behind);
+    packet.putList(block.cellBehind);
     packet.putList(block.boundaryFaces);
     packet.putList(block.kinds);
     packet.putList(block.patches);
@@ -34,7 +34,7 @@ CellBlock unpacked(Packet& packet)
     block.cells = packet.getList<label>();
     block.nFaces = packet.getList<label>();
     block.faces = packet.getFaces();
-    block.behind = packet.getList<label>();
+    block.cellBehind = packet.getList<label>();
     block.boundaryFaces = packet.getList<label>();
     block.kinds = packet.getList<BoundaryKind>();
     block.patches = packet.getList<label>();

@@ -36,7 +36,7 @@ Ended walk(const CellComplex& complex, const point& x, CellHint& hint, CellTet& 
     label previous = -1;
     for (label n = 0; n < maxCells; ++n)
     {
-        if (!complex.complete(hint.cell))
+        if (!complex.hasAllNeighbours(hint.cell))
         {
             return Ended::elsewhere;
         }

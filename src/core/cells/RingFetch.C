@@ -161,7 +161,7 @@ private:
         const pointField& at = images_ ? block.homes : block.points;
         forAll(block.faces, k)
         {
-            if (block.behind[k] >= 0 && !known_.found(block.behind[k]))
+            if (block.cellBehind[k] >= 0 && !known_.found(block.cellBehind[k]))
             {
                 for (const label pointi : block.faces[k])
                 {

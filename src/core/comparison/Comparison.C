@@ -52,9 +52,9 @@ void addAround(const SurfacePiece& piece, scalar distance, VoxelMask& mask)
     }
 }
 
-SurfaceHalo haloOf(const SurfacePiece& held, const VoxelMask& mask, const Setting& s)
+SurfaceHalo haloOf(const SurfacePiece& owned, const VoxelMask& mask, const Setting& s)
 {
-    return SurfaceHalo(held, mask, s.exchange, s.whole().images.get());
+    return SurfaceHalo(owned, mask, s.exchange, s.whole().images.get());
 }
 
 VoxelMask voxelsFor(scalar reach)
@@ -89,17 +89,17 @@ SurfaceHalo timeSurfaceHalo(
 
 // The own triangles of M and what has a say in how they are split.
 SurfacePiece nearOwn(
-    const SurfacePiece& held, const SurfaceHalo& halo, const MatchingOptions& options,
+    const SurfacePiece& owned, const SurfaceHalo& halo, const MatchingOptions& options,
     List<bool>& own
 )
 {
     scalar distance = VSMALL;
-    for (const scalar h : held.mesh.cellSizes)
+    for (const scalar h : owned.mesh.cellSizes)
     {
         distance = std::max(distance, reachOfSplit(options, h));
     }
     VoxelMask mask(voxelsFor(distance));
-    addAround(held, distance, mask);
+    addAround(owned, distance, mask);
     const InterfaceMesh& mesh = halo.mesh();
     DynamicList<label> triangles;
     DynamicList<bool> areOwn;
@@ -108,7 +108,7 @@ SurfacePiece nearOwn(
         const bool isOwn = halo.isOwn(trianglei);
         const triFace& t = mesh.triangles[trianglei];
         if (isOwn
-            || (!held.mesh.empty() && mask.meets(boundBox(mesh.points, t, false))))
+            || (!owned.mesh.empty() && mask.meets(boundBox(mesh.points, t, false))))
         {
             triangles.append(trianglei);
             areOwn.append(isOwn);
@@ -124,12 +124,12 @@ Comparison::Comparison(
     const Setting& setting, const SurfacePiece& interface,
     const TimeSurface& timeSurface
 )
-    : setting_(setting), held_(timeSurface),
+    : setting_(setting), owned_(timeSurface),
       reach_(searchReach({&interface, &timeSurface.piece()}, setting)),
       interface_(interfaceHalo(interface, timeSurface.piece(), reach_, setting)),
       timeSurface_(timeSurfaceHalo(interface, timeSurface.piece(), reach_, setting))
 {
-    together(
+    runOnAllRanks(
         setting.exchange,
         [&] { near_ = nearOwn(interface, interface_, setting.matching, own_); }
     );
@@ -137,7 +137,7 @@ Comparison::Comparison(
 
 void Comparison::match()
 {
-    together(
+    runOnAllRanks(
         setting_.exchange,
         [&]
         {
@@ -146,13 +146,13 @@ void Comparison::match()
             onInterface_ = matchPoints(near_.mesh, *target_, options);
             onTimeSurface_ = matchPoints(
                 timeSurface_.mesh(), MatchTarget(interface_.mesh(), options), options,
-                timeSurface_.held()
+                timeSurface_.owned()
             );
         }
     );
 }
 
-TransferResult Comparison::carryOver(const SpreadChart& chart)
+TransferResult Comparison::carryOver(const DistributedChart& chart)
 {
     const Exchange& exchange = setting_.exchange;
     DynamicList<point> unmatched;
@@ -173,7 +173,7 @@ TransferResult Comparison::carryOver(const SpreadChart& chart)
     split_ = near_.mesh;
     useLocalCells(split_, setting_.complex());
     TransferResult result;
-    together(
+    runOnAllRanks(
         exchange,
         [&]
         {
@@ -210,31 +210,31 @@ ClassifiedSurface Comparison::describeInterface(std::vector<Droplet>& droplets) 
     interface.mesh = own.piece.mesh;
 
     const SurfaceHalo halo(surroundings(own.piece, setting_));
-    const Components components(halo, setting_.apex(), setting_.exchange);
-    interface.areas = halo.ofHeld(halo.mesh().pointAreas());
-    interface.counted = halo.ofHeld(halo.counted());
-    interface.components = halo.ofHeld(components.ofPoints());
+    const Components components(halo, setting_.referencePoint(), setting_.exchange);
+    interface.areas = halo.toOwned(halo.mesh().pointAreas());
+    interface.isPrimary = halo.toOwned(halo.primaryPoints());
+    interface.components = halo.toOwned(components.ofPoints());
     SmallScales scales(smallScales(
         own.piece, halo, components, setting_.flow, setting_.matching.nThreads,
         setting_.exchange
     ));
-    interface.thin = halo.ofHeld(scales.thin);
-    interface.subGrid = halo.ofHeld(scales.subGrid);
+    interface.thin = halo.toOwned(scales.thin);
+    interface.subGrid = halo.toOwned(scales.subGrid);
     droplets = std::move(scales.droplets);
     return interface;
 }
 
 ClassifiedSurface Comparison::describeTimeSurface() const
 {
-    return stability::describe(held_, timeSurface_, onTimeSurface_, setting_);
+    return stability::describe(owned_, timeSurface_, onTimeSurface_, setting_);
 }
 
-SurfaceHalo surroundings(const SurfacePiece& held, const Setting& setting)
+SurfaceHalo surroundings(const SurfacePiece& owned, const Setting& setting)
 {
-    const scalar reach = searchReach({&held}, setting);
+    const scalar reach = searchReach({&owned}, setting);
     VoxelMask mask(voxelsFor(reach));
-    addAround(held, reach, mask);
-    return haloOf(held, mask, setting);
+    addAround(owned, reach, mask);
+    return haloOf(owned, mask, setting);
 }
 
 ClassifiedSurface describe(
@@ -242,15 +242,15 @@ ClassifiedSurface describe(
     const Setting& setting
 )
 {
-    const TimeSurface::Marks& marks = timeSurface.marks();
+    const PointMarks& marks = timeSurface.marks();
     ClassifiedSurface surface(describe(
-        halo.mesh(), matches, Stability::detached, halo.onPiece(marks.nearWall),
+        halo.mesh(), matches, Stability::detached, halo.toHalo(marks.nearWall),
         setting.interval
     ));
-    surface.counted = halo.onPiece(marks.counted);
-    surface.thin = halo.onPiece(marks.thin);
-    surface.subGrid = halo.onPiece(marks.subGrid);
-    const List<bool> left(halo.onPiece(timeSurface.left()));
+    forEachMark([&](const char*, const MarkFiles&, const auto& mark)
+                { mark(surface) = halo.toHalo(mark(marks)); });
+    surface.areas = halo.mesh().pointAreas(); // as they are now
+    const List<bool> left(halo.toHalo(timeSurface.left()));
     forAll(left, pointi)
     {
         if (left[pointi])
@@ -258,11 +258,12 @@ ClassifiedSurface describe(
             surface.stability[pointi] = Stability::left;
         }
     }
-    surface.components = Components(halo, setting.apex(), setting.exchange).ofPoints();
+    surface.components =
+        Components(halo, setting.referencePoint(), setting.exchange).ofPoints();
     return surface;
 }
 
-ClassifiedSurface ofHeld(
+ClassifiedSurface toOwned(
     const ClassifiedSurface& onPiece, const SurfaceHalo& halo,
     const TimeSurface& timeSurface
 )

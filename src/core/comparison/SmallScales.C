@@ -18,9 +18,9 @@ namespace
 constexpr scalar around = 4; // [cells], of what a droplet is judged by
 constexpr label nRings = 6;
 
-List<bool> smallTriangles(const SurfacePiece& held, const Components& components)
+List<bool> smallTriangles(const SurfacePiece& owned, const Components& components)
 {
-    List<bool> small(held.mesh.triangles.size());
+    List<bool> small(owned.mesh.triangles.size());
     forAll(small, trianglei)
     {
         const Components::Body& body = components.bodyOf(trianglei);
@@ -107,28 +107,28 @@ std::vector<Droplet> dropletsOf(
 
 // The droplets at home here, by the surface and the fractions around them of all ranks.
 std::vector<Droplet> dropletsAtHome(
-    const SurfacePiece& held, const Components& components,
+    const SurfacePiece& owned, const Components& components,
     const std::shared_ptr<const FlowSnapshot>& snapshot, const Exchange& exchange
 )
 {
     const WholeComponents whole(
-        wholeComponents(held, components, smallTriangles(held, components), exchange)
+        wholeComponents(owned, components, smallTriangles(owned, components), exchange)
     );
     if (exchange.total(whole.components.size()) == 0)
     {
         return {};
     }
     scalar size = VSMALL;
-    for (const scalar h : held.mesh.cellSizes)
+    for (const scalar h : owned.mesh.cellSizes)
     {
         size = std::max(size, around * h);
     }
-    const SurfaceHalo near(held, regionOf(whole, largest(size, exchange)), exchange);
-    const labelList ofTriangles(near.triangleValues(components.ofHeldTriangles()));
+    const SurfaceHalo near(owned, regionOf(whole, largest(size, exchange)), exchange);
+    const labelList ofTriangles(near.triangleValues(components.ofOwnedTriangles()));
     const auto site =
         fractionsAround(snapshot, whole.piece.mesh.cells, nRings, exchange);
     std::vector<Droplet> found;
-    together(exchange, [&] { found = dropletsOf(near, ofTriangles, *site); });
+    runOnAllRanks(exchange, [&] { found = dropletsOf(near, ofTriangles, *site); });
     const Renumbering atHome(whole.components);
     found.erase(
         std::remove_if(
@@ -140,14 +140,14 @@ std::vector<Droplet> dropletsAtHome(
     return found;
 }
 
-// Per held triangle: does it belong to a droplet, perhaps one at home elsewhere?
+// Per owned triangle: does it belong to a droplet, perhaps one at home elsewhere?
 List<bool> ofDroplets(
-    const SurfacePiece& held, const Components& components,
+    const SurfacePiece& owned, const Components& components,
     const std::vector<Droplet>& droplets, const Exchange& exchange
 )
 {
-    const List<bool> small(smallTriangles(held, components));
-    const labelList numbers(components.ofHeldTriangles());
+    const List<bool> small(smallTriangles(owned, components));
+    const labelList numbers(components.ofOwnedTriangles());
     std::vector<DynamicList<label>> questions(exchange.nRanks());
     forAll(small, trianglei)
     {
@@ -188,15 +188,16 @@ List<bool> ofDroplets(
 } // namespace
 
 SmallScales smallScales(
-    const SurfacePiece& held, const SurfaceHalo& halo, const Components& components,
+    const SurfacePiece& owned, const SurfaceHalo& halo, const Components& components,
     const std::shared_ptr<const FlowSnapshot>& snapshot, label nThreads,
     const Exchange& exchange
 )
 {
     SmallScales scales;
-    together(exchange, [&] { scales.thin = thinPoints(halo.mesh(), nThreads); });
-    scales.droplets = dropletsAtHome(held, components, snapshot, exchange);
-    const List<bool> triangles(ofDroplets(held, components, scales.droplets, exchange));
+    runOnAllRanks(exchange, [&] { scales.thin = thinPoints(halo.mesh(), nThreads); });
+    scales.droplets = dropletsAtHome(owned, components, snapshot, exchange);
+    const List<bool> triangles(ofDroplets(owned, components, scales.droplets, exchange)
+    );
     scales.subGrid.setSize(halo.mesh().points.size(), false);
     forAll(halo.mesh().triangles, trianglei)
     {

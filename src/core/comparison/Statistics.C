@@ -7,93 +7,9 @@
 #include "core/ranks/ExactSum.H"
 
 #include <algorithm>
-#include <sstream>
 
 namespace Foam::stability
 {
-
-std::vector<std::string> Statistics::columns()
-{
-    return {
-        "Time",
-        "vertices",
-        "triangles",
-        "area",
-        "stableArea",
-        "attachedArea",
-        "detachedNearWalls",
-        "detachedElsewhere",
-        "leftArea",
-        "stableFraction",
-        "coverage",
-        "particles",
-        "mergedTriangles",
-        "splitTriangles",
-        "volumeError",
-        "epsilon",
-        "displacement",
-        "epsilonPerInterval",
-        "driftSpeed50",
-        "driftSpeed90",
-        "driftSpeed99",
-        "noiseFloor",
-        "detachedThin",
-        "detachedResolved",
-    };
-}
-
-std::vector<scalar> Statistics::values() const
-{
-    return {
-        time,
-        scalar(nVertices),
-        scalar(nTriangles),
-        area,
-        stableArea,
-        attachedArea,
-        detachedNearWall,
-        detachedElsewhere,
-        leftArea,
-        stableFraction(),
-        coverage(),
-        scalar(nParticles),
-        scalar(nMerged),
-        scalar(nSplit),
-        volumeError,
-        epsilon,
-        displacement,
-        drift(),
-        driftSpeeds[0],
-        driftSpeeds[1],
-        driftSpeeds[2],
-        noiseFloor,
-        detachedThin,
-        detachedResolved,
-    };
-}
-
-std::vector<std::string> Statistics::survivalColumns()
-{
-    std::vector<std::string> names{"Time"};
-    for (const std::string side : {"detached", "attached"})
-    {
-        for (const scalar distance : survivalDistances)
-        {
-            std::ostringstream name;
-            name << side << "(" << distance << ")";
-            names.push_back(name.str());
-        }
-    }
-    return names;
-}
-
-std::vector<scalar> Statistics::survivalValues() const
-{
-    std::vector<scalar> result{time};
-    result.insert(result.end(), detachedFraction.begin(), detachedFraction.end());
-    result.insert(result.end(), attachedFraction.begin(), attachedFraction.end());
-    return result;
-}
 
 namespace
 {
@@ -133,13 +49,13 @@ private:
     DynamicList<ExactSum> sums_;
 };
 
-// Of counted points, else zero.
+// Of isPrimary points, else zero.
 scalarField countedAreas(const ClassifiedSurface& surface)
 {
     scalarField areas(surface.areas);
     forAll(areas, pointi)
     {
-        areas[pointi] = surface.counted[pointi] ? areas[pointi] : 0;
+        areas[pointi] = surface.isPrimary[pointi] ? areas[pointi] : 0;
     }
     return areas;
 }
@@ -172,7 +88,7 @@ void fillSurvival(
     }
 }
 
-void surveyInterface(
+void addInterface(
     Statistics& statistics, const ClassifiedSurface& interface, const Epsilon& epsilon,
     const scalarField& areas, const Exchange& exchange
 )
@@ -196,7 +112,7 @@ void surveyInterface(
         const scalar h = mesh.cellSizes[pointi];
         sums.add(epsilonArea, epsilon.at(h) * areas[pointi]);
         sums.add(cellsArea, epsilon.at(h) / max(h, VSMALL) * areas[pointi]);
-        sums.add(nVertices, interface.counted[pointi] ? 1 : 0);
+        sums.add(nVertices, interface.isPrimary[pointi] ? 1 : 0);
     }
     forAll(mesh.triangles, trianglei)
     {
@@ -216,7 +132,7 @@ void surveyInterface(
 }
 
 // `areas`: what left is zero there on return.
-void surveyTimeSurface(
+void addTimeSurface(
     Statistics& statistics, const ClassifiedSurface& surface, scalarField& areas,
     const Exchange& exchange
 )
@@ -269,19 +185,19 @@ void fillDriftSpeeds(
 
 } // namespace
 
-void survey(
+void addSurfaceStatistics(
     Statistics& statistics, const ClassifiedSurface& interface,
     const ClassifiedSurface& timeSurface, const Epsilon& epsilon,
     const Exchange& exchange
 )
 {
     const scalarField areas(countedAreas(interface));
-    surveyInterface(statistics, interface, epsilon, areas, exchange);
+    addInterface(statistics, interface, epsilon, areas, exchange);
     fillSurvival(
         statistics.attachedFraction, interface, areas, statistics.area, exchange
     );
     scalarField timeAreas(countedAreas(timeSurface));
-    surveyTimeSurface(statistics, timeSurface, timeAreas, exchange);
+    addTimeSurface(statistics, timeSurface, timeAreas, exchange);
     fillSurvival(
         statistics.detachedFraction, timeSurface, timeAreas, statistics.timeSurfaceArea,
         exchange
@@ -291,9 +207,9 @@ void survey(
     );
 }
 
-void surveyDisplacement(
+void addDisplacement(
     Statistics& statistics, const ClassifiedSurface& timeSurface,
-    const pointField& seeds, const Exchange& exchange
+    const pointField& startPositions, const Exchange& exchange
 )
 {
     const InterfaceMesh& mesh = timeSurface.mesh;
@@ -304,7 +220,7 @@ void surveyDisplacement(
     sums.declare(total);
     forAll(areas, pointi)
     {
-        const scalar cells = mag(mesh.points[pointi] - seeds[pointi])
+        const scalar cells = mag(mesh.points[pointi] - startPositions[pointi])
                              / max(mesh.cellSizes[pointi], VSMALL);
         sums.add(squares, areas[pointi] * sqr(cells));
         sums.add(total, areas[pointi]);

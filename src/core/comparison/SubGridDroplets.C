@@ -242,24 +242,31 @@ bool mayBeSubGrid(scalar volume, scalar cellSize)
     return radiusOf(mag(volume)) < largest * cellSize;
 }
 
-std::vector<std::string> Droplet::columns()
+const TableLayout<DropletRow>& dropletTable()
 {
-    return {"Time",      "component", "bubble",    "radius", "volume",
-            "centroidX", "centroidY", "centroidZ", "points", "fromAlpha"};
-}
-
-std::vector<scalar> Droplet::values(scalar time) const
-{
-    return {time,
-            scalar(component),
-            scalar(bubble),
-            radius,
-            volume,
-            centroid.x(),
-            centroid.y(),
-            centroid.z(),
-            scalar(nPoints),
-            scalar(fromAlpha)};
+    using D = DropletRow;
+    static const TableLayout<D> table{
+        "droplets.dat",
+        "Droplets and bubbles below 1.5 cells: radius in cells, volume in m3, "
+        "centroid in m",
+        {
+            {"Time", "s", "the classified time", &D::time},
+            {"component", "-", "its number in the array `component` of the interface",
+             &D::component},
+            {"bubble", "-", "1: a bubble; 0: a droplet", &D::bubble},
+            {"radius", "cells", "radius of the ball of the same volume", &D::radius},
+            {"volume", "m3", "volume", &D::volume},
+            {"centroidX", "m", "centroid", [](const D& d) { return d.centroid.x(); }},
+            {"centroidY", "m", "centroid", [](const D& d) { return d.centroid.y(); }},
+            {"centroidZ", "m", "centroid", [](const D& d) { return d.centroid.z(); }},
+            {"points", "-", "points of its surface", &D::nPoints},
+            {"fromAlpha", "-",
+             "1: volume and centroid are those of the volume fractions in the cells "
+             "that hang together with its surface; 0: these are not its own, and the "
+             "surface itself tells them",
+             &D::fromAlpha},
+        }};
+    return table;
 }
 
 std::vector<Droplet> subGridDroplets(

@@ -23,7 +23,7 @@ void boundaryFacesOf(
         for (const label facei : complex.cellFaces()[celli])
         {
             const label i = facei - complex.nInternalFaces();
-            if (i >= 0 && complex.kinds()[i] != BoundaryKind::beyond)
+            if (i >= 0 && complex.kinds()[i] != BoundaryKind::coupledUnknown)
             {
                 global.append(complex.input().globalBoundaryFaces[i]);
                 local.append(i);

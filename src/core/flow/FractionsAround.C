@@ -62,7 +62,7 @@ std::shared_ptr<const FlowSnapshot> fractionsAround(
     }
     std::vector<Packet> answers(exchange.nRanks());
     std::vector<List<label>> asked = exchange.exchangeLists(requests);
-    together(
+    runOnAllRanks(
         exchange,
         [&]
         {
@@ -83,7 +83,7 @@ std::shared_ptr<const FlowSnapshot> fractionsAround(
     );
     answers = exchange.exchange(std::move(answers));
     std::shared_ptr<const FlowSnapshot> result(snapshot);
-    together(
+    runOnAllRanks(
         exchange,
         [&]
         {

@@ -317,7 +317,7 @@ IntegrationCounts advance(
     IntegrationCounts total;
     forAll(lines, i)
     {
-        if (lines[i]->counted)
+        if (lines[i]->isPrimary)
         {
             total += counts[i];
         }

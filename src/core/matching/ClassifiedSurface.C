@@ -76,12 +76,9 @@ void visitValues(Surface& surface, const Visit& visit)
     visit(surface.driftSpeed);
     visit(surface.confidence);
     visit(surface.preimages);
-    visit(surface.nearWall);
-    visit(surface.thin);
-    visit(surface.subGrid);
     visit(surface.components);
-    visit(surface.areas);
-    visit(surface.counted);
+    forEachMark([&](const char*, const MarkFiles&, const auto& mark)
+                { visit(mark(surface)); });
 }
 
 } // namespace
@@ -113,7 +110,7 @@ ClassifiedSurface gathered(const ClassifiedSurface& mine, const Exchange& exchan
         return mine;
     }
     Packet packet;
-    together(
+    runOnAllRanks(
         exchange,
         [&]
         {
@@ -127,7 +124,7 @@ ClassifiedSurface gathered(const ClassifiedSurface& mine, const Exchange& exchan
     std::vector<SurfacePiece> parts;
     std::vector<Packet> packets(exchange.toMaster(std::move(packet)));
     ClassifiedSurface whole;
-    together(
+    runOnAllRanks(
         exchange,
         [&]
         {

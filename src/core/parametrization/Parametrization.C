@@ -107,7 +107,7 @@ joined(const InterfaceMesh& mesh, const List<Patch>& patches, const List<Piece>&
         nParameters += piece.chart.parameters.size();
     }
     SurfacePiece result;
-    result.joined = false;
+    result.sharesPoints = false;
     InterfaceMesh& surface = result.mesh;
     sizeLists(surface, nPoints, nTriangles, nParameters);
     result.keys.setSize(nTriangles);
@@ -132,8 +132,8 @@ joined(const InterfaceMesh& mesh, const List<Patch>& patches, const List<Piece>&
         startTriangle += piece.copy.surface.triangles.size();
         startParameter += piece.chart.parameters.size();
     }
-    surface.origins = surface.points;
-    result.seeds = surface.points;
+    surface.setOrigins(surface.points);
+    result.startPositions = surface.points;
     return result;
 }
 
@@ -214,7 +214,7 @@ scalar packPieces(
     const std::vector<List<ChartBox>> boxes(exchange.listsToMaster(mine));
     std::vector<DynamicList<ChartPlace>> places(exchange.nRanks());
     Packet packet;
-    together(
+    runOnAllRanks(
         exchange,
         [&] { packet.put(exchange.isMaster() ? placeAll(boxes, places) : scalar(0)); }
     );
@@ -243,7 +243,7 @@ ParametrizationResult parametrize(
     ParametrizationResult result;
     List<Patch> patches;
     List<Piece> pieces;
-    together(
+    runOnAllRanks(
         exchange,
         [&]
         {

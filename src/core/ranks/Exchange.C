@@ -4,7 +4,6 @@
 #include "core/ranks/Exchange.H"
 
 #include "core/base/Errors.H"
-#include "error.H"
 
 namespace Foam::stability
 {
@@ -28,7 +27,7 @@ std::vector<Packet> Exchange::toAll(const Packet& packet) const
     return exchange(std::vector<Packet>(nRanks(), packet));
 }
 
-void together(const Exchange& exchange, const std::function<void()>& work)
+void runOnAllRanks(const Exchange& exchange, const std::function<void()>& work)
 {
     if (exchange.nRanks() == 1)
     {
@@ -40,16 +39,25 @@ void together(const Exchange& exchange, const std::function<void()>& work)
     {
         work();
     }
-    catch (const Foam::error& caught) // it does not tell by what()
-    {
-        failure = "OpenFOAM: " + caught.message();
-    }
     catch (const std::exception& caught)
     {
-        failure = caught.what();
-        failure += failure.empty() ? "an exception without a text" : "";
+        failure = describe(caught);
     }
-    exchange.agree<NumericalFailure>(failure);
+    exchange.throwIfAny<NumericalFailure>(failure);
+}
+
+void runOnMaster(const Exchange& exchange, const std::function<void()>& work)
+{
+    runOnAllRanks(
+        exchange,
+        [&]
+        {
+            if (exchange.isMaster())
+            {
+                work();
+            }
+        }
+    );
 }
 
 } // namespace Foam::stability

@@ -60,7 +60,7 @@ public:
         for (label facei = complex_.nInternalFaces(); facei < complex_.nFaces();
              ++facei)
         {
-            if (complex_.complete(complex_.owner()[facei]))
+            if (complex_.hasAllNeighbours(complex_.owner()[facei]))
             {
                 closeFace(facei, tets);
             }
@@ -74,7 +74,7 @@ private:
         const UList<label> cells = complex_.pointCells()[pointi];
         return std::any_of(
             cells.begin(), cells.end(),
-            [&](label celli) { return complex_.complete(celli); }
+            [&](label celli) { return complex_.hasAllNeighbours(celli); }
         );
     }
 

@@ -61,7 +61,8 @@ private:
         const label neighbour =
             facei < complex_.nInternalFaces() ? complex_.neighbour()[facei] : owner;
         return std::min(complex_.ring(owner), complex_.ring(neighbour)) <= nRings_
-               && complex_.complete(owner) && complex_.complete(neighbour);
+               && complex_.hasAllNeighbours(owner)
+               && complex_.hasAllNeighbours(neighbour);
     }
 
     bool inside(label celli) const

@@ -15,7 +15,7 @@ namespace
 ReconstructionOptions otherThan(const ReconstructionOptions& options)
 {
     ReconstructionOptions other;
-    other.method = options.method == "bonnell" ? "isoAlpha" : "bonnell";
+    other.method = reconstructionMethod(options.method).reference;
     other.nThreads = options.nThreads;
     return other;
 }
@@ -23,7 +23,7 @@ ReconstructionOptions otherThan(const ReconstructionOptions& options)
 } // namespace
 
 scalar noiseQuantile(
-    const scalarField& values, const UList<bool>& counted, const Exchange& exchange
+    const scalarField& values, const UList<bool>& isPrimary, const Exchange& exchange
 )
 {
     // Round-off must not raise 0.999 n above the whole number that it is.
@@ -31,13 +31,13 @@ scalar noiseQuantile(
     scalarField weights(values.size());
     forAll(weights, i)
     {
-        weights[i] = counted[i] ? 1 : 0;
+        weights[i] = isPrimary[i] ? 1 : 0;
     }
     return weightedQuantiles(values, weights, {share}, exchange)[0];
 }
 
 scalar spreadFloor(
-    const scalarField& spread, const UList<bool>& counted, const Exchange& exchange
+    const scalarField& spread, const UList<bool>& isPrimary, const Exchange& exchange
 )
 {
     constexpr scalar ofPointsThatStay = 0.2; // [cells]
@@ -46,7 +46,7 @@ scalar spreadFloor(
     {
         value = value < 0 ? ofPointsThatStay : value;
     }
-    return noiseQuantile(noise, counted, exchange);
+    return noiseQuantile(noise, isPrimary, exchange);
 }
 
 scalarField
@@ -75,7 +75,7 @@ distancesFrom(const InterfaceMesh& other, const InterfaceMesh& mesh, label nThre
 }
 
 scalar noiseFloor(
-    const InterfaceMesh& mesh, const scalarField& spread, const UList<bool>& counted,
+    const InterfaceMesh& mesh, const scalarField& spread, const UList<bool>& isPrimary,
     const ReconstructionOptions& options,
     const std::function<InterfaceMesh(const ReconstructionOptions&)>& extract,
     const Exchange& exchange
@@ -83,17 +83,17 @@ scalar noiseFloor(
 {
     if (options.sharpening != Sharpening::none)
     {
-        return spreadFloor(spread, counted, exchange);
+        return spreadFloor(spread, isPrimary, exchange);
     }
     scalarField distances;
-    together(
+    runOnAllRanks(
         exchange,
         [&] {
             distances =
                 distancesFrom(extract(otherThan(options)), mesh, options.nThreads);
         }
     );
-    return noiseQuantile(distances, counted, exchange);
+    return noiseQuantile(distances, isPrimary, exchange);
 }
 
 } // namespace Foam::stability

@@ -232,7 +232,6 @@ ReconstructionResult PlicPolygons::extract(const FlowSnapshot& snapshot) const
     }
     result.mesh = soup.takeMesh();
     orderByCells(result.mesh);
-    result.joined = false;
     result.alphaVolume = fractions.volume;
     result.volume = fractions.volume;
     return result;

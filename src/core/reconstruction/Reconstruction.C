@@ -11,22 +11,34 @@
 #include "core/reconstruction/MarchingTets.H"
 #include "core/reconstruction/PlicPolygons.H"
 
-#include <algorithm>
-
 namespace Foam::stability
 {
-
-const std::vector<std::string>& Reconstruction::names()
-{
-    static const std::vector<std::string> all{
-        "isoAlpha", "bonnell", "plic", "fromFiles"};
-    return all;
-}
 
 namespace
 {
 
-void checkOptions(const ReconstructionOptions& options)
+template<class Method>
+std::unique_ptr<Reconstruction> make(const ReconstructionOptions& options)
+{
+    return std::make_unique<Method>(options);
+}
+
+// Throws BadInput where an option is given that the method does not have.
+void require(
+    bool possible, const std::string& option, const ReconstructionOptions& options
+)
+{
+    if (!possible)
+    {
+        throw BadInput(
+            option + " is not for the reconstruction " + options.method + "."
+        );
+    }
+}
+
+void checkOptions(
+    const ReconstructionOptions& options, const ReconstructionMethod& method
+)
 {
     if (options.smooth < 0)
     {
@@ -35,63 +47,66 @@ void checkOptions(const ReconstructionOptions& options)
             + std::to_string(options.smooth) + "."
         );
     }
-    if (options.smooth > 0 && !Reconstruction::canSmooth(options.method))
-    {
-        throw BadInput(
-            "Smoothing (smooth) is not for the reconstruction " + options.method + "."
-        );
-    }
-    if (options.sharpening != Sharpening::none && options.method != "isoAlpha")
-    {
-        throw BadInput(
-            "Sharpening is for the reconstruction isoAlpha, not " + options.method + "."
-        );
-    }
-    if (options.volumeFit != VolumeFit::none && options.method != "isoAlpha")
-    {
-        throw BadInput(
-            "Fitting volumes (volumeFit) is for the reconstruction isoAlpha, not "
-            + options.method + "."
-        );
-    }
+    require(method.canSmooth || options.smooth == 0, "Smoothing (smooth)", options);
+    require(
+        method.canSharpen || options.sharpening == Sharpening::none, "Sharpening",
+        options
+    );
+    require(
+        method.canFitVolumes || options.volumeFit == VolumeFit::none,
+        "Fitting volumes (volumeFit)", options
+    );
 }
 
 } // namespace
 
-bool Reconstruction::canSmooth(const std::string& method)
+const std::vector<ReconstructionMethod>& reconstructionMethods()
 {
-    return method == "isoAlpha" || method == "bonnell";
+    // In the order of the members. Droplets are looked at with six rings; to extract
+    // alike, fewer would do.
+    // clang-format off
+    static const std::vector<ReconstructionMethod> methods{
+        {"isoAlpha", make<IsoAlpha>, true, true, true, true, false, 0.5, 6, "bonnell"},
+        {"bonnell", make<BonnellDual>, true, true, false, false, false, 1, 6, "isoAlpha"},
+        {"plic", make<PlicPolygons>, false, false, false, false, false, 0.5, 6, "bonnell"},
+        {"fromFiles", make<GivenInterface>, true, false, false, false, true, 0.5, 6, "bonnell"},
+    };
+    // clang-format on
+    return methods;
+}
+
+std::vector<std::string> reconstructionNames()
+{
+    std::vector<std::string> names;
+    for (const ReconstructionMethod& method : reconstructionMethods())
+    {
+        names.push_back(method.name);
+    }
+    return names;
+}
+
+const ReconstructionMethod& reconstructionMethod(const std::string& name)
+{
+    std::string known;
+    for (const ReconstructionMethod& method : reconstructionMethods())
+    {
+        if (method.name == name)
+        {
+            return method;
+        }
+        known += (known.empty() ? "" : ", ") + method.name;
+    }
+    throw BadInput(
+        "The reconstruction \"" + name + "\" is unknown; known are " + known + "."
+    );
 }
 
 std::unique_ptr<Reconstruction> Reconstruction::New(const ReconstructionOptions& options
 )
 {
-    if (std::find(names().begin(), names().end(), options.method) == names().end())
-    {
-        std::string known;
-        for (const std::string& name : names())
-        {
-            known += (known.empty() ? "" : ", ") + name;
-        }
-        throw BadInput(
-            "The reconstruction \"" + options.method + "\" is unknown; known are "
-            + known + "."
-        );
-    }
-    checkOptions(options);
-    if (options.method == "bonnell")
-    {
-        return std::make_unique<BonnellDual>(options);
-    }
-    if (options.method == "plic")
-    {
-        return std::make_unique<PlicPolygons>(options);
-    }
-    if (options.method == "fromFiles")
-    {
-        return std::make_unique<GivenInterface>();
-    }
-    return std::make_unique<IsoAlpha>(options);
+    const ReconstructionMethod& method = reconstructionMethod(options.method);
+    checkOptions(options, method);
+    return method.make(options);
 }
 
 ReconstructionResult Reconstruction::finish(

@@ -3,6 +3,8 @@
 
 #include "core/results/MethodScore.H"
 
+#include "core/comparison/StatisticsTables.H"
+
 #include <algorithm>
 #include <cmath>
 
@@ -41,27 +43,58 @@ scalar MethodScore::meanDistance() const
     return area;
 }
 
-std::vector<std::string> MethodScore::columns()
+namespace
 {
-    std::vector<std::string> names{"times",    "meanDistance", "stableFraction",
-                                   "coverage", "area",         "volumeError"};
-    const std::vector<std::string> survival(Statistics::survivalColumns());
-    names.insert(names.end(), survival.begin() + 1, survival.end()); // without the time
-    return names;
+
+std::vector<TableColumn<MethodScore>> methodColumns()
+{
+    using M = MethodScore;
+    std::vector<TableColumn<M>> columns{
+        {"method", "-", "name of the method", {}, &M::name},
+        {"times", "-",
+         "classified times that count: all with an interface but the first",
+         &M::nTimes},
+        {"meanDistance", "cells",
+         "distance between M and T: the area under the curves of survival, where what "
+         "is farther than 3 cells counts as 3",
+         &M::meanDistance},
+        {"stableFraction", "-", "fraction of the area of M that is stable, mean",
+         &M::stableFraction},
+        {"coverage", "-", "fraction of the area of M with parameters, mean",
+         &M::coverage},
+        {"area", "m2", "area of M, mean", &M::area},
+        {"volumeError", "-", "size of the relative volume error, mean",
+         &M::volumeError},
+    };
+    const std::size_t n = Statistics::survivalDistances.size();
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        columns.push_back(
+            {survivalColumn("detached", i), "-",
+             "fraction of T farther than so many cells from M, mean",
+             [i](const M& m) { return m.detachedFraction(i); }}
+        );
+    }
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        columns.push_back(
+            {survivalColumn("attached", i), "-",
+             "fraction of M farther than so many cells from T, mean",
+             [i](const M& m) { return m.attachedFraction(i); }}
+        );
+    }
+    return columns;
 }
 
-std::vector<scalar> MethodScore::values() const
+} // namespace
+
+const TableLayout<MethodScore>& methodTable()
 {
-    std::vector<scalar> all{scalar(nTimes_), meanDistance(), mean(stableFraction_),
-                            mean(coverage_), mean(area_),    mean(volumeError_)};
-    for (const auto* fractions : {&detached_, &attached_})
-    {
-        for (const scalar sum : *fractions)
-        {
-            all.push_back(mean(sum));
-        }
-    }
-    return all;
+    static const TableLayout<MethodScore> table{
+        "methods.dat",
+        "Means over the classified times; meanDistance in cells, area in m2",
+        methodColumns()};
+    return table;
 }
 
 std::size_t mostConsistent(const std::vector<MethodScore>& scores)

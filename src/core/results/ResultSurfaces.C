@@ -16,6 +16,7 @@ namespace
 struct SplitPoints
 {
     labelList vertex;        // per output point: the welded point
+    labelList origin;        // per output point: index, of its first corner
     labelList parameter;     // per output point: index, or noParameter
     List<triFace> triangles; // of output points
 };
@@ -29,6 +30,7 @@ SplitPoints split(const InterfaceMesh& mesh, const List<CornerIndices>& corners)
     result.triangles = mesh.triangles;
     DynamicList<label> vertex;
     DynamicList<label> parameter;
+    DynamicList<label> origin;
     // The pairs of a point form a chain: few points have more than one.
     labelList first(mesh.points.size(), -1);
     DynamicList<label> next;
@@ -47,6 +49,7 @@ SplitPoints split(const InterfaceMesh& mesh, const List<CornerIndices>& corners)
                 outi = vertex.size();
                 vertex.append(pointi);
                 parameter.append(corners[trianglei][k]);
+                origin.append(mesh.originCorners[trianglei][k]);
                 next.append(first[pointi]);
                 first[pointi] = outi;
             }
@@ -55,6 +58,7 @@ SplitPoints split(const InterfaceMesh& mesh, const List<CornerIndices>& corners)
     }
     result.vertex.transfer(vertex);
     result.parameter.transfer(parameter);
+    result.origin.transfer(origin);
     return result;
 }
 
@@ -108,13 +112,13 @@ PointArray scalars(
 }
 
 PointArray
-vectors(const std::string& name, const labelList& vertex, const pointField& x)
+vectors(const std::string& name, const labelList& places, const pointField& x)
 {
     PointArray array{name, 3, false, {}};
-    for (const label pointi : vertex)
+    for (const label place : places)
     {
         array.values.insert(
-            array.values.end(), {x[pointi].x(), x[pointi].y(), x[pointi].z()}
+            array.values.end(), {x[place].x(), x[place].y(), x[place].z()}
         );
     }
     return array;
@@ -124,6 +128,28 @@ void append(PointArray& array, const vector2D& p)
 {
     array.values.push_back(p.x());
     array.values.push_back(p.y());
+}
+
+// The marks that are arrays of one kind of file.
+void addMarks(
+    const PointMarks& marks, bool MarkFiles::*file, const labelList& vertex,
+    std::vector<PointArray>& arrays
+)
+{
+    forEachMark(
+        [&](const char* name, const MarkFiles& files, const auto& mark)
+        {
+            if (files.*file)
+            {
+                const auto& values = mark(marks);
+                using Value = std::decay_t<decltype(values[0])>;
+                constexpr bool integer = !std::is_same_v<Value, scalar>;
+                arrays.push_back(scalars(
+                    name, integer, vertex, [&](label i) { return scalar(values[i]); }
+                ));
+            }
+        }
+    );
 }
 
 // What both surfaces have in common.
@@ -162,10 +188,6 @@ ResultSurface surface(
         scalars(
             "confidence", false, vertex, [&](label i) { return from.confidence[i]; }
         ),
-        scalars("thin", true, vertex, [&](label i) { return label(from.thin[i]); }),
-        scalars(
-            "subGrid", true, vertex, [&](label i) { return label(from.subGrid[i]); }
-        ),
     };
     return result;
 }
@@ -187,7 +209,8 @@ interfaceSurface(const ClassifiedSurface& from, scalar time, const labelList& nu
         );
     }
     result.arrays.insert(result.arrays.begin(), texture);
-    result.arrays.push_back(vectors("origin", vertex, from.mesh.origins));
+    addMarks(from, &MarkFiles::interface, vertex, result.arrays);
+    result.arrays.push_back(vectors("origin", points.origin, from.mesh.origins));
     result.arrays.push_back(scalars(
         "preimageCount", true, vertex, [&](label i) { return from.preimages[i]; }
     ));
@@ -202,10 +225,7 @@ timeSurface(const ClassifiedSurface& from, scalar time, const labelList& numbers
 {
     const SplitPoints points(split(from.mesh, from.mesh.corners));
     ResultSurface result(surface(from, points, time, numbers));
-    result.arrays.push_back(scalars(
-        "nearWall", true, points.vertex,
-        [&](label i) { return label(from.nearWall[i]); }
-    ));
+    addMarks(from, &MarkFiles::timeSurface, points.vertex, result.arrays);
     return result;
 }
 
@@ -237,7 +257,17 @@ ResultSurface particleCloud(const UList<InstabilityParticle>& all, scalar time)
     add("age", false, [&](const Particle& p) { return time - p.detachmentTime; });
     add("component", true, [](const Particle& p) { return p.component; });
     add("weight", false, [](const Particle& p) { return p.weight; });
-    add("nearWall", true, [](const Particle& p) { return label(p.nearWall); });
+    forEachMark(
+        [&](const char* name, const MarkFiles& files, const auto& mark)
+        {
+            if (files.particles)
+            {
+                using Value = std::decay_t<decltype(mark(all[0]))>;
+                add(name, !std::is_same_v<Value, scalar>,
+                    [&](const Particle& p) { return scalar(mark(p)); });
+            }
+        }
+    );
     add("state", true, [](const Particle& p) { return label(p.path.state); });
     result.arrays.push_back(parameter);
     result.arrays.push_back(vectors("origin", order, origins));

@@ -74,8 +74,17 @@ void InterfaceMesh::clearParametrization()
     corners.setSize(triangles.size());
     corners = CornerIndices(noParameter);
     materials.setSize(triangles.size(), labelPair(0, 1));
-    origins.setSize(points.size());
-    origins = Zero;
+    setOrigins(pointField(points.size(), Zero));
+}
+
+void InterfaceMesh::setOrigins(const pointField& ofPoints)
+{
+    origins = ofPoints;
+    originCorners.setSize(triangles.size());
+    forAll(triangles, trianglei)
+    {
+        originCorners[trianglei] = triangles[trianglei];
+    }
 }
 
 } // namespace Foam::stability

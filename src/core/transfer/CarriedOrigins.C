@@ -10,7 +10,8 @@ CarriedOrigins::CarriedOrigins(const MatchTarget& target, const StartChart& char
     : target_(target), timeSurface_(target.mesh()), chart_(chart),
       interpolation_(
           timeSurface_, timeSurface_.origins,
-          [&](label trianglei, label k) { return timeSurface_.triangles[trianglei][k]; }
+          [&](label trianglei, label k)
+          { return timeSurface_.originCorners[trianglei][k]; }
       )
 {
 }
@@ -23,11 +24,19 @@ point CarriedOrigins::at(const Match& match, label source) const
                      : onTriangle(x.triangle, x.weights);
 }
 
+point CarriedOrigins::onSide(
+    const point& x, const SheetPoint& side, const SeamBisection& bisection
+) const
+{
+    const SurfacePoint foot = bisection.footOnSide(x, side);
+    return foot.triangle >= 0 ? onTriangle(foot.triangle, foot.weights)
+                              : extrapolated(side.sheet.anchor, x);
+}
+
 point CarriedOrigins::onTriangle(label trianglei, const FixedList<scalar, 3>& weights)
     const
 {
-    const triFace& t = timeSurface_.triangles[trianglei];
-    return interpolation_.at(trianglei, CornerIndices{t[0], t[1], t[2]}, weights);
+    return interpolation_.at(trianglei, timeSurface_.originCorners[trianglei], weights);
 }
 
 point CarriedOrigins::extrapolated(label trianglei, const point& x) const
@@ -53,8 +62,11 @@ point CarriedOrigins::placeOf(const point& origin, const point& near, scalar rad
     for (const label trianglei : triangles)
     {
         const triFace& t = timeSurface_.triangles[trianglei];
-        const pointField &o = timeSurface_.origins, &x = timeSurface_.points;
-        const SurfacePoint foot = closestPoint(origin, o[t[0]], o[t[1]], o[t[2]]);
+        const pointField& x = timeSurface_.points;
+        const SurfacePoint foot = closestPoint(
+            origin, timeSurface_.origin(trianglei, 0),
+            timeSurface_.origin(trianglei, 1), timeSurface_.origin(trianglei, 2)
+        );
         if (foot.distance < best.distance)
         {
             best = foot;

@@ -214,16 +214,21 @@ SeamBisection::cuts(const SheetPoint& a, const SheetPoint& b) const
     return events;
 }
 
-vector2D SeamBisection::parameterOnSide(const point& x, const SheetPoint& side) const
+SurfacePoint SeamBisection::footOnSide(const point& x, const SheetPoint& side) const
 {
     if (side.match.nearest.triangle != side.sheet.anchor)
     {
-        return side.sheet.p; // extrapolated where T has corners without p
+        return SurfacePoint(); // extrapolated where T has corners without p
     }
     constexpr scalar roundOff = 1 + 1e-12;
-    const SurfacePoint foot = sheets_.closestConnected(
+    return sheets_.closestConnected(
         side.sheet.anchor, x, roundOff * mag(x - side.match.nearest.position)
     );
+}
+
+vector2D SeamBisection::parameterOnSide(const point& x, const SheetPoint& side) const
+{
+    const SurfacePoint foot = footOnSide(x, side);
     return foot.triangle < 0 ? side.sheet.p : sheets_.at(foot).p;
 }
 

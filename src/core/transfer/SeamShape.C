@@ -225,7 +225,7 @@ List<SeamNode> allSeamNodes(
         exchange.joinedOnMaster(OwnSeams(piece, topology, own).ends())
     );
     List<SeamNode> nodes;
-    together(exchange, [&] { nodes = nodesOf(ends); });
+    runOnAllRanks(exchange, [&] { nodes = nodesOf(ends); });
     return nodes;
 }
 

@@ -79,7 +79,9 @@ label SeamTreatment::ownParameter(label vertexi) const
 
 // One index for all that agree at a vertex: a seam of the new mesh is exactly where
 // the indices on both sides of an edge differ.
-label SeamTreatment::parameterIndex(label vertexi, const vector2D& p)
+label SeamTreatment::parameterIndex(
+    label vertexi, const vector2D& p, const SheetPoint& side
+)
 {
     constexpr scalar same = 1e-3; // of what counts as a jump
     const scalar tolerance = same * bisection_.smallestJump(seen(vertexi).cellSize);
@@ -98,6 +100,7 @@ label SeamTreatment::parameterIndex(label vertexi, const vector2D& p)
     }
     parameters_.push_back(p);
     others.push_back(parameters_.size() - 1);
+    sides_[others.back()] = side;
     return others.back();
 }
 
@@ -125,10 +128,12 @@ void SeamTreatment::placeCuts()
             );
         }
         const point x = seen(cut.point).x;
-        cut.lower =
-            parameterIndex(cut.point, bisection_.parameterOnSide(x, event.before));
-        cut.higher =
-            parameterIndex(cut.point, bisection_.parameterOnSide(x, event.after));
+        cut.lower = parameterIndex(
+            cut.point, bisection_.parameterOnSide(x, event.before), event.before
+        );
+        cut.higher = parameterIndex(
+            cut.point, bisection_.parameterOnSide(x, event.after), event.after
+        );
     }
 }
 
@@ -222,7 +227,8 @@ void SeamTreatment::split(label trianglei, const FixedList<EdgeCut, 3>& cuts)
                 sheets_.orientation(seen(t[middle]).sheet.anchor)
             );
             const vector2D p = sheets_.limited(similar, pa, mag(xc - xa));
-            extrapolated[part.points[c]] = parameterIndex(part.points[c], p);
+            extrapolated[part.points[c]] =
+                parameterIndex(part.points[c], p, seen(t[middle]));
         }
         if (c >= 0)
         {
@@ -265,6 +271,48 @@ label SeamTreatment::middleCorner(const triFace& t, const FixedList<EdgeCut, 3>&
         }
     }
     return longest;
+}
+
+// The origin has no seams, only mergers: there the sides of a cut have origins that are
+// farther apart than interpolation brings them. What is attached starts here.
+void SeamTreatment::carryOrigins()
+{
+    constexpr scalar smallestJump = 0.5; // [cells]
+    pointField origins(mesh_.points);
+    forAll(origins, pointi)
+    {
+        if (matches_[pointi].stable)
+        {
+            origins[pointi] = origins_.at(matches_[pointi], seen(pointi).sheet.anchor);
+        }
+    }
+    mesh_.setOrigins(origins);
+    std::map<label, label> ofSides; // per index of p
+    forAll(mesh_.triangles, trianglei)
+    {
+        for (label k = 0; k < 3; ++k)
+        {
+            const auto side = sides_.find(mesh_.corners[trianglei][k]);
+            if (side == sides_.end())
+            {
+                continue;
+            }
+            const label pointi = mesh_.triangles[trianglei][k];
+            const auto found = ofSides.insert({side->first, pointi});
+            if (found.second)
+            {
+                const point there =
+                    origins_.onSide(mesh_.points[pointi], side->second, bisection_);
+                if (mag(there - origins[pointi])
+                    > smallestJump * mesh_.cellSizes[pointi])
+                {
+                    found.first->second = mesh_.origins.size();
+                    mesh_.origins.append(there);
+                }
+            }
+            mesh_.originCorners[trianglei][k] = found.first->second;
+        }
+    }
 }
 
 void SeamTreatment::countParts()

@@ -156,18 +156,18 @@ void StartChart::readOff(InterfaceMesh& mesh) const
     {
         for (label k = 0; k < 3; ++k)
         {
-            const label pointi = mesh.triangles[trianglei][k];
+            const label origini = mesh.originCorners[trianglei][k];
             const label i = mesh.corners[trianglei][k];
             if (i < 0 || isRead[i])
             {
                 continue;
             }
             isRead[i] = true;
-            const Reading reading = at(carried[pointi], mesh.parameters[i]);
+            const Reading reading = at(carried[origini], mesh.parameters[i]);
             if (reading.gap <= farthest)
             {
                 mesh.parameters[i] = reading.p;
-                mesh.origins[pointi] = reading.origin;
+                mesh.origins[origini] = reading.origin;
             }
         }
     }

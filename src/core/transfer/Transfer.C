@@ -8,27 +8,6 @@
 namespace Foam::stability
 {
 
-namespace
-{
-
-// The origin has no seams. What is attached starts here.
-void carryOrigins(
-    InterfaceMesh& mesh, const List<Match>& matches, const CarriedOrigins& origins,
-    const SeamTreatment& treatment
-)
-{
-    mesh.origins.setSize(mesh.points.size());
-    forAll(mesh.points, pointi)
-    {
-        mesh.origins[pointi] =
-            matches[pointi].stable
-                ? origins.at(matches[pointi], treatment.source(pointi))
-                : mesh.points[pointi];
-    }
-}
-
-} // namespace
-
 TransferResult transfer(
     InterfaceMesh& mesh, List<Match>& matches, const MatchTarget& target,
     const TransferOptions& options, const TransferSurroundings& around
@@ -37,7 +16,7 @@ TransferResult transfer(
     const CarriedOrigins origins(target, around.chart);
     SeamTreatment treatment(mesh, matches, target, origins, around, options);
     TransferResult result = treatment.run();
-    carryOrigins(mesh, matches, origins, treatment);
+    treatment.carryOrigins();
     around.chart.readOff(mesh);
     return result;
 }

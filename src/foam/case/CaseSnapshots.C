@@ -4,7 +4,7 @@
 #include "foam/case/CaseSnapshots.H"
 
 #include "core/base/Errors.H"
-#include "foam/ranks/OnAll.H"
+#include "core/ranks/Exchange.H"
 #include "fvMesh.H"
 
 namespace Foam::stability
@@ -16,11 +16,11 @@ namespace
 // Of other ranks' cells: what the points of own triangles depend on.
 label nRings(const TrackerOptions& tracker)
 {
-    // To extract alike two would do; droplets are looked at with six.
-    constexpr label toExtract = 6, toSharpen = 9;
+    constexpr label toSharpen = 3; // more
     const auto needed = [](const ReconstructionOptions& options)
     {
-        return (options.sharpening == Sharpening::none ? toExtract : toSharpen)
+        return reconstructionMethod(options.method).reach
+               + (options.sharpening == Sharpening::none ? 0 : toSharpen)
                + 2 * options.smooth; // each pair of steps looks twice at neighbours
     };
     label n = needed(tracker.reconstruction);
@@ -70,7 +70,7 @@ CaseSnapshots::CaseSnapshots(
     FieldSource source, const RankMessages& messages
 )
     : mesh_(mesh), messages_(messages),
-      fields_(madeOnAll(
+      fields_(makeOnAllRanks(
           messages, [&] { return CaseFields(mesh, options.alpha, options.U, source); }
       )),
       flux_(mesh, options.phi, options.velocity, source),
@@ -93,7 +93,7 @@ void CaseSnapshots::require(const instantList& times)
               "the time options and the time folders of the case."
         );
     }
-    onAll(
+    runOnAllRanks(
         messages_,
         [&]
         {
@@ -116,7 +116,7 @@ void CaseSnapshots::requireSame(const instantList& times) const
     Packet mine;
     mine.putList(names);
     const List<char> wanted(messages_.fromMaster(mine).getList<char>());
-    onAll(
+    runOnAllRanks(
         messages_,
         [&]
         {
@@ -169,7 +169,7 @@ std::shared_ptr<FlowSnapshot> CaseSnapshots::takeFields()
     std::optional<tmp<volScalarField>> alpha;
     std::optional<tmp<volVectorField>> U;
     std::optional<tmp<surfaceScalarField>> phi;
-    onAll(
+    runOnAllRanks(
         messages_,
         [&]
         {

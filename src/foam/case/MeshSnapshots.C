@@ -115,7 +115,7 @@ std::shared_ptr<FlowSnapshot> MeshSnapshots::take(
                   + U.name() + " at time " + alpha.time().timeName() + ": "
                   + describe(bad);
     }
-    messages_.agree<BadInput>(failure);
+    messages_.throwIfAny<BadInput>(failure);
     if (phi)
     {
         // Only in its own cells a rank knows the fluxes through all faces.

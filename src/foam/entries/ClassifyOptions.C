@@ -17,7 +17,7 @@ scalar readInterval(const dictionary& dict, ClassifyControl control)
     using Control = ClassifyControl;
     if (control == Control::timeStep || control == Control::writeTime)
     {
-        return readNumber<label>(dict, "classifyInterval", 1, Range{1, 1e9, ""});
+        return readNumber<label>(dict, "classifyInterval");
     }
     const bool isTime =
         control == Control::runTime || control == Control::adjustableRunTime;
@@ -36,9 +36,7 @@ scalar readInterval(const dictionary& dict, ClassifyControl control)
             "adjustableRunTime only"
         );
     }
-    return readNumber<scalar>(
-        dict, "classifyInterval", 1, Range{0, GREAT, " (user's time)", true}
-    );
+    return isTime ? readNumber<scalar>(dict, "classifyInterval") : 1;
 }
 
 } // namespace
@@ -60,12 +58,9 @@ const Enum<ClassifyControl>& classifyControlNames()
 ClassifyOptions readClassify(const dictionary& dict)
 {
     ClassifyOptions options;
-    options.control =
-        readEnum(dict, "classifyControl", options.control, classifyControlNames());
+    options.control = readEnum(dict, "classifyControl", classifyControlNames());
     options.interval = readInterval(dict, options.control);
-    options.displacement = readNumber<scalar>(
-        dict, "classifyDisplacement", 0, Range{0, 100, " cells", true}
-    );
+    options.displacement = readNumber<scalar>(dict, "classifyDisplacement", 0);
     if (options.control == ClassifyControl::none && options.displacement == 0)
     {
         refuse(dict, "classifyControl", "none together with classifyDisplacement only");

@@ -8,27 +8,70 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <sstream>
 
 namespace Foam::stability
 {
 
-void checkKeys(const dictionary& dict, const wordList& allowed, const wordList& others)
+namespace
 {
+
+template<class Type>
+constexpr EntryType numberType =
+    std::is_same_v<Type, label> ? EntryType::wholeNumber : EntryType::number;
+
+// The default of a row that has a number for it.
+scalar standardNumber(const EntryRow& row)
+{
+    scalar value = 0;
+    if (!readScalar(row.standard, value))
+    {
+        FatalErrorInFunction << "The default of '" << row.name << "' is no number."
+                             << exit(FatalError);
+    }
+    return value;
+}
+
+word choose(
+    const dictionary& dict, const EntryRow& row, const word& standard,
+    const wordList& barred
+)
+{
+    if (!dict.found(row.name, keyType::LITERAL))
+    {
+        return standard;
+    }
+    EntryValue allowed(row.value);
+    std::vector<std::string>& names = allowed.choices;
+    names.erase(
+        std::remove_if(
+            names.begin(), names.end(),
+            [&](const std::string& name) { return barred.found(word(name)); }
+        ),
+        names.end()
+    );
+    const std::string value = given(dict, row.name);
+    if (std::find(names.begin(), names.end(), value) == names.end())
+    {
+        refuse(dict, row.name, allowedText(allowed));
+    }
+    return value;
+}
+
+} // namespace
+
+void checkKeys(const dictionary& dict, EntryPlace place, const wordList& others)
+{
+    const wordList allowed(entryNames(place));
     wordHashSet known(allowed);
     known.insert(others);
-    std::string list;
-    for (const word& name : allowed)
-    {
-        list += (list.empty() ? "" : ", ") + name;
-    }
     for (const entry& e : dict)
     {
         if (e.keyword() != "FoamFile" && !known.found(e.keyword()))
         {
             FatalIOErrorInFunction(dict)
-                << "Unknown entry '" << e.keyword() << "'; allowed are " << list.c_str()
-                << '.' << exit(FatalIOError);
+                << "Unknown entry '" << e.keyword() << "'; allowed are "
+                << listed({allowed.begin(), allowed.end()}).c_str() << '.'
+                << exit(FatalIOError);
         }
     }
 }
@@ -57,81 +100,64 @@ refuse(const dictionary& dict, const word& key, const std::string& allowed)
 }
 
 template<class Type>
-Type readNumber(
-    const dictionary& dict, const word& key, Type standard, const Range& range
-)
+Type readNumber(const dictionary& dict, const word& key, std::optional<Type> standard)
 {
-    if (!dict.found(key, keyType::LITERAL))
-    {
-        return standard;
-    }
-    constexpr bool whole = std::is_same_v<Type, label>;
-    std::ostringstream allowed;
-    allowed << (whole ? "a whole number, " : "a number, ")
-            << (range.openLow ? "above " : "") << range.low << " to " << range.high
-            << range.unit;
-
+    const EntryRow& row = entryRow(key, numberType<Type>);
     const entry* e = dict.findEntry(key, keyType::LITERAL);
-    if (!e->isStream() || e->stream().size() != 1)
+    if (!e)
     {
-        refuse(dict, key, allowed.str());
+        return standard ? *standard : Type(standardNumber(row));
     }
-    const token& t = e->stream()[0];
+    const EntryValue& allowed = row.value;
+    const bool one = e->isStream() && e->stream().size() == 1;
+    const token& t = one ? e->stream()[0] : token::undefinedToken;
+    const bool whole = allowed.type == EntryType::wholeNumber;
     if (whole ? !t.isLabel() : !t.isNumber())
     {
-        refuse(dict, key, allowed.str());
+        refuse(dict, key, allowedText(allowed));
     }
     const scalar value = t.number();
-    if (value < range.low || value > range.high
-        || (range.openLow && value == range.low))
+    if (value < allowed.low || value > allowed.high
+        || (allowed.openLow && value == allowed.low))
     {
-        refuse(dict, key, allowed.str());
+        refuse(dict, key, allowedText(allowed));
     }
     return Type(value);
 }
 
-template scalar readNumber(const dictionary&, const word&, scalar, const Range&);
-template label readNumber(const dictionary&, const word&, label, const Range&);
+template scalar readNumber(const dictionary&, const word&, std::optional<scalar>);
+template label readNumber(const dictionary&, const word&, std::optional<label>);
 
-word readWord(
-    const dictionary& dict, const word& key, const word& standard,
-    const std::vector<std::string>& names
+word readChoice(
+    const dictionary& dict, const word& key, std::optional<word> standard,
+    const wordList& barred
 )
 {
-    if (!dict.found(key, keyType::LITERAL))
-    {
-        return standard;
-    }
-    const std::string value = given(dict, key);
-    if (std::find(names.begin(), names.end(), value) == names.end())
-    {
-        std::string list;
-        for (const std::string& name : names)
-        {
-            list += (list.empty() ? "" : ", ") + name;
-        }
-        refuse(dict, key, "one of " + list);
-    }
-    return value;
+    const EntryRow& row = entryRow(key, EntryType::choice);
+    return choose(dict, row, standard ? *standard : word(row.standard), barred);
 }
 
-bool readSwitch(const dictionary& dict, const word& key, bool standard)
+bool readSwitch(const dictionary& dict, const word& key, std::optional<bool> standard)
 {
-    const std::vector<std::string> names{"yes", "no", "true", "false", "on", "off"};
-    const word value = readWord(dict, key, standard ? "yes" : "no", names);
+    const EntryRow& row = entryRow(key, EntryType::yesNo);
+    const word usual(row.standard);
+    const word value = choose(
+        dict, row, standard ? word(*standard ? "yes" : "no") : usual, wordList()
+    );
     return value == "yes" || value == "true" || value == "on";
 }
 
-word readName(const dictionary& dict, const word& key, const word& standard)
+word readName(const dictionary& dict, const word& key, std::optional<word> standard)
 {
+    const EntryRow& row = entryRow(key, EntryType::name);
     const std::string value = given(dict, key);
     if (dict.found(key, keyType::LITERAL)
         && (value.empty() || !word::valid(value.front())
             || value.find(' ') != value.npos))
     {
-        refuse(dict, key, "one name");
+        refuse(dict, key, allowedText(row.value));
     }
-    return value.empty() ? standard : word(value);
+    return !value.empty() ? word(value) : standard ? *standard : word(row.standard);
 }
 
 } // namespace Foam::stability

@@ -3,6 +3,8 @@
 
 #include "foam/errors/Failures.H"
 
+#include "core/base/Errors.H"
+
 #include <new>
 
 namespace Foam::stability
@@ -19,28 +21,6 @@ ThrowingErrors::~ThrowingErrors()
     FatalIOError.throwExceptions(ioError_);
 }
 
-std::string describe(const std::exception& failure)
-{
-    if (const auto* io = dynamic_cast<const IOerror*>(&failure))
-    {
-        std::string text = io->message() + " (file " + io->ioFileName();
-        if (io->ioStartLineNumber() >= 0)
-        {
-            text += ", line " + std::to_string(io->ioStartLineNumber());
-        }
-        return text + ")";
-    }
-    if (const auto* error = dynamic_cast<const Foam::error*>(&failure))
-    {
-        return error->message();
-    }
-    if (dynamic_cast<const std::bad_alloc*>(&failure))
-    {
-        return "There is not enough memory.";
-    }
-    return failure.what();
-}
-
 std::string failureOf(const std::function<void()>& work)
 {
     const ThrowingErrors throwing;
@@ -50,8 +30,7 @@ std::string failureOf(const std::function<void()>& work)
     }
     catch (const std::exception& failure)
     {
-        const std::string text = describe(failure);
-        return text.empty() ? "An error without a message." : text;
+        return describe(failure);
     }
     return std::string();
 }

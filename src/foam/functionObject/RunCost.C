@@ -18,7 +18,8 @@ std::string RunCost::text() const
 {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    const scalar total = returnReduce(Busy::secondsSince(begin_), maxOp<scalar>());
+    const scalar total =
+        returnReduce(ScopedTimer::secondsSince(begin_), maxOp<scalar>());
     const scalar seconds = returnReduce(seconds_, maxOp<scalar>());
     const scalar memory =
         returnReduce(scalar(usage.ru_maxrss), maxOp<scalar>()); // [kB]

@@ -4,6 +4,7 @@
 #include "foam/functionObject/interfaceStability.H"
 
 #include "addToRunTimeSelectionTable.H"
+#include "core/comparison/StatisticsTables.H"
 #include "foam/errors/Failures.H"
 #include "foam/functionObject/StartChecks.H"
 #include "fvMesh.H"
@@ -31,7 +32,7 @@ interfaceStability::interfaceStability(
     : fvMeshFunctionObject(name, stability::meshOf(runTime, dict), dict),
       writeFile(mesh_, name, typeName)
 {
-    const stability::Busy busy(cost_.seconds());
+    const stability::ScopedTimer busy(cost_.seconds());
     readFirst(dict);
     // A condition of runTimeControl holds where its value does not exist.
     publish(stability::Statistics());
@@ -54,7 +55,7 @@ interfaceStability::~interfaceStability()
 void interfaceStability::readFirst(const dictionary& dict)
 {
     fvMeshFunctionObject::read(dict);
-    controls_ = stability::readControls(dict, stability::Shell::functionObject);
+    controls_ = stability::readControls(dict, stability::Caller::functionObject);
     everyWrite_ = dict.found("writeControl") || dict.found("outputControl");
     schedule_ =
         std::make_unique<stability::ClassifySchedule>(time_, controls_.classify);
@@ -69,7 +70,7 @@ void interfaceStability::readAgain(const dictionary& dict)
     const std::string failure = stability::failureOf(
         [&]
         {
-            controls = stability::readControls(dict, stability::Shell::functionObject);
+            controls = stability::readControls(dict, stability::Caller::functionObject);
             fvMeshFunctionObject::read(dict);
         }
     );
@@ -187,11 +188,12 @@ void interfaceStability::classify()
 // Where other function objects find them, runTimeControl above all.
 void interfaceStability::publish(const stability::Statistics& statistics)
 {
-    const std::vector<std::string> names = stability::Statistics::columns();
-    const std::vector<scalar> values = statistics.values();
-    for (std::size_t i = 1; i < names.size(); ++i)
+    for (const auto& column : stability::stabilityTable().columns)
     {
-        setResult(word(names[i]), values[i]);
+        if (column.name != "Time")
+        {
+            setResult(word(column.name), column.value(statistics));
+        }
     }
     const scalar detached =
         statistics.detachedNearWall + statistics.detachedElsewhere; // [m2]
@@ -200,7 +202,7 @@ void interfaceStability::publish(const stability::Statistics& statistics)
 
 bool interfaceStability::execute()
 {
-    const stability::Busy busy(cost_.seconds());
+    const stability::ScopedTimer busy(cost_.seconds());
     bool due = schedule_->due();
     advance();
     if (controls_.classify.displacement > 0)
@@ -218,7 +220,7 @@ bool interfaceStability::execute()
 
 bool interfaceStability::write()
 {
-    const stability::Busy busy(cost_.seconds());
+    const stability::ScopedTimer busy(cost_.seconds());
     const bool asWritten = schedule_->asWritten() && (everyWrite_ || time_.writeTime());
     if (asWritten || postProcess)
     {

@@ -84,7 +84,7 @@ CyclicPatches::CyclicPatches(const polyMesh& mesh, const Exchange& exchange)
     const scalar size = mesh.bounds().mag(); // of all ranks
     DynamicList<label> pairs;
     DynamicList<RigidMotion> here;
-    exchange.agree<BadInput>(failureOf(
+    exchange.throwIfAny<BadInput>(failureOf(
         [&]
         {
             for (const polyPatch& patch : mesh.boundaryMesh())

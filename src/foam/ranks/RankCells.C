@@ -31,7 +31,7 @@ BoundaryKind kindOf(const polyPatch& patch)
 {
     if (leadsOn(patch))
     {
-        return BoundaryKind::beyond;
+        return BoundaryKind::coupledUnknown;
     }
     if (isA<emptyPolyPatch>(patch) || isA<wedgePolyPatch>(patch))
     {
@@ -91,7 +91,7 @@ CellComplexInput complexInput(const fvMesh& mesh)
         {
             input.kinds[start + i] = kind;
             input.patches[start + i] =
-                kind == BoundaryKind::beyond ? -1 : patch.index();
+                kind == BoundaryKind::coupledUnknown ? -1 : patch.index();
         }
     }
     input.patchNames = wordList(std::move(names));
@@ -170,7 +170,7 @@ RankCells::RankCells(const fvMesh& mesh, const RankMessages& messages, label nRi
             all.own[celli] = cellNumbers_.isLocal(all.globalCells[celli]);
         }
     }
-    messages.agree<BadInput>(failureOf(
+    messages.throwIfAny<BadInput>(failureOf(
         [&] { complex_ = std::make_shared<const CellComplex>(std::move(all)); }
     ));
     matchFaces(own, cellFaces);
@@ -192,10 +192,10 @@ CellComplexInput RankCells::ownPiece(const fvMesh& mesh)
 {
     CellComplexInput own;
     // A patch may have faces on some ranks only.
-    messages_.agree<BadInput>(failureOf([&] { own = complexInput(mesh); }));
+    messages_.throwIfAny<BadInput>(failureOf([&] { own = complexInput(mesh); }));
     own.globalCells = globalNumbers(cellNumbers_);
     own.globalBoundaryFaces = globalNumbers(boundaryNumbers_);
-    own.behind.setSize(own.globalBoundaryFaces.size(), -1);
+    own.cellBehind.setSize(own.globalBoundaryFaces.size(), -1);
     const CyclicPatches cyclic(mesh, messages_);
     if (messages_.nRanks() == 1 && !cyclic.any())
     {
@@ -212,7 +212,7 @@ CellComplexInput RankCells::ownPiece(const fvMesh& mesh)
         );
         const labelList home(homePoints(mesh, own.globalPoints));
         const pointField homes(homesOf(mesh, own.globalPoints, home));
-        messages_.agree<BadInput>(
+        messages_.throwIfAny<BadInput>(
             failureOf([&] { numberFromHome(own, home, homes, *images_); })
         );
     }
@@ -237,7 +237,7 @@ void RankCells::findBehind(
         for (label facei = patch.start(); facei < patch.start() + patch.size(); ++facei)
         {
             const label i = facei - mesh.nInternalFaces();
-            own.behind[i] = image ? images_->cell(behind[i], image) : behind[i];
+            own.cellBehind[i] = image ? images_->cell(behind[i], image) : behind[i];
         }
     }
 }

@@ -81,7 +81,7 @@ label RankMessages::total(label value) const
 }
 
 // Two rounds: where nothing failed, one number is all that is sent.
-std::string RankMessages::firstOf(const std::string& failure) const
+std::string RankMessages::firstNonEmpty(const std::string& failure) const
 {
     label first = failure.empty() ? labelMax : rank();
     reduce(first, minOp<label>(), UPstream::msgType(), communicator_);

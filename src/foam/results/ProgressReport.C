@@ -60,7 +60,7 @@ void ProgressReport::showProgress(
          << 100 * s.stableFraction() << " % stable, "
          << s.detachedNearWall + s.detachedElsewhere << " m2 detached, " << s.nParticles
          << " particles; moved " << s.displacement << " cells (largest "
-         << s.largestDisplacement << "), epsilon/interval " << s.drift()
+         << s.largestDisplacement << "), epsilon/interval " << s.smallestVisibleDrift()
          << " m/s, noise floor " << s.noiseFloor << " cells; " << seconds << " s";
     if (nExpected_ > nClassified_)
     {

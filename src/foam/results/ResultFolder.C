@@ -4,6 +4,7 @@
 #include "foam/results/ResultFolder.H"
 
 #include "core/base/Errors.H"
+#include "core/comparison/StatisticsTables.H"
 #include "foam/results/ResultSeries.H"
 #include "OSspecific.H"
 
@@ -32,21 +33,9 @@ fileName obstacle(const fileName& path)
 } // namespace
 
 ResultFolder::ResultFolder(const fileName& path, label precision)
-    : path_(path),
-      stability_("Areas in m2, displacement in cells, speeds in m/s", precision),
-      survival_(
-          "Fractions of T (detached) and M (attached) farther away than so many cells",
-          precision
-      ),
-      droplets_(
-          "Droplets and bubbles below 1.5 cells: radius in cells, volume in m3, "
-          "centroid in m",
-          precision
-      ),
-      timing_(
-          "Seconds of wall-clock time, by phase, since the last classified time",
-          precision
-      )
+    : path_(path), stability_(stabilityTable(), precision),
+      survival_(survivalTable(), precision), droplets_(dropletTable(), precision),
+      timing_(timingTable(), precision)
 {
     const fileName inTheWay(obstacle(path_));
     if (!inTheWay.empty())
@@ -56,12 +45,6 @@ ResultFolder::ResultFolder(const fileName& path, label precision)
             + ": move the file away."
         );
     }
-    stability_.setColumns(Statistics::columns());
-    survival_.setColumns(Statistics::survivalColumns());
-    droplets_.setColumns(Droplet::columns());
-    std::vector<std::string> phases(phaseNames());
-    phases.insert(phases.begin(), "time");
-    timing_.setColumns(phases);
 }
 
 void ResultFolder::open()
@@ -81,8 +64,9 @@ void ResultFolder::open()
 std::vector<fileName> ResultFolder::results(const fileName& folder)
 {
     std::vector<fileName> names(ResultSeries::files(folder));
-    for (const char* table :
-         {"stability.dat", "survival.dat", "droplets.dat", "timing.dat"})
+    for (const std::string& table :
+         {stabilityTable().file, survivalTable().file, dropletTable().file,
+          timingTable().file})
     {
         if (isFile(folder / table, false))
         {
@@ -141,28 +125,26 @@ void ResultFolder::writeTables(const Classification& c)
 {
     open();
     const Statistics& statistics = c.statistics;
-    stability_.addRow(statistics.values());
-    stability_.write(path_ / "stability.dat");
-    survival_.addRow(statistics.survivalValues());
-    survival_.write(path_ / "survival.dat");
+    stability_.addRow(statistics);
+    stability_.write(path_);
+    survival_.addRow(statistics);
+    survival_.write(path_);
     for (const Droplet& droplet : c.droplets)
     {
-        droplets_.addRow(droplet.values(statistics.time));
+        droplets_.addRow({droplet, statistics.time});
     }
-    droplets_.write(path_ / "droplets.dat");
+    droplets_.write(path_);
 }
 
-void ResultFolder::writeTimings(scalar time, const std::vector<scalar>& seconds)
+void ResultFolder::writeTimings(const TimingRow& row)
 {
-    if (time == timingRow_)
+    if (row.time == timingRow_)
     {
         timing_.dropLastRow();
     }
-    timingRow_ = time;
-    std::vector<scalar> row(seconds);
-    row.insert(row.begin(), time);
+    timingRow_ = row.time;
     timing_.addRow(row);
-    timing_.write(path_ / "timing.dat");
+    timing_.write(path_);
 }
 
 } // namespace Foam::stability

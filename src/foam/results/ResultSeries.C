@@ -102,7 +102,7 @@ void ResultSeries::list(Family& family, const std::string& file, scalar time) co
 
 void ResultSeries::writeWhole(Family& family, label index, const SurfaceMaker& make)
 {
-    together(
+    runOnAllRanks(
         exchange_,
         [&]
         {
@@ -123,7 +123,7 @@ void ResultSeries::writePieces(Family& family, label index, const SurfaceMaker& 
 {
     const std::string name = numbered(family.name, index);
     const bool master = exchange_.isMaster();
-    together(
+    runOnAllRanks(
         exchange_,
         [&]
         {
@@ -137,7 +137,7 @@ void ResultSeries::writePieces(Family& family, label index, const SurfaceMaker& 
     );
     ResultSurface surface;
     Packet written; // empty: nothing
-    together(
+    runOnAllRanks(
         exchange_,
         [&]
         {
@@ -152,7 +152,7 @@ void ResultSeries::writePieces(Family& family, label index, const SurfaceMaker& 
         }
     );
     const std::vector<Packet> all(exchange_.toMaster(std::move(written)));
-    together(
+    runOnAllRanks(
         exchange_,
         [&]
         {

@@ -7,50 +7,59 @@
 #include "core/base/Version.H"
 
 #include <iomanip>
-#include <sstream>
 
 namespace Foam::stability
 {
 
-namespace
+// Sign, point and exponent are added to the digits.
+int TableText::width() const
 {
+    return precision_ + 8;
+}
 
-constexpr int addedWidth = 8; // sign, point and exponent
-
-} // namespace
-
-void ResultTable::setColumns(const std::vector<std::string>& names)
+void TableText::setHeader(
+    const std::string& comment, const std::vector<std::string>& names
+)
 {
-    const label width = precision_ + addedWidth;
     std::ostringstream os;
-    os << "# " << generator() << "\n# " << title_ << "\n# " << std::left;
+    os << "# " << generator() << "\n# " << comment << "\n# " << std::left;
     for (std::size_t i = 0; i < names.size(); ++i)
     {
-        os << (i ? "\t" : "") << std::setw(i ? width : width - 2) << names[i];
+        os << (i ? "\t" : "") << std::setw(i ? width() : width() - 2) << names[i];
     }
     os << '\n';
     header_ = os.str();
 }
 
-void ResultTable::addRow(const std::vector<scalar>& values)
+std::ostream& TableText::nextCell()
 {
-    std::ostringstream os;
-    os << std::left << std::setprecision(precision_);
-    for (std::size_t i = 0; i < values.size(); ++i)
-    {
-        os << (i ? "\t" : "") << std::setw(precision_ + addedWidth) << values[i];
-    }
-    os << '\n';
-    lastRow_ = rows_.size();
-    rows_ += os.str();
+    row_ << (row_.tellp() > 0 ? "\t" : "");
+    return row_ << std::left << std::setprecision(precision_) << std::setw(width());
 }
 
-void ResultTable::dropLastRow()
+void TableText::addNumber(scalar value)
+{
+    nextCell() << value;
+}
+
+void TableText::addWords(const std::string& words)
+{
+    nextCell() << words;
+}
+
+void TableText::endRow()
+{
+    lastRow_ = rows_.size();
+    rows_ += row_.str() + '\n';
+    row_ = std::ostringstream();
+}
+
+void TableText::dropLastRow()
 {
     rows_.resize(lastRow_);
 }
 
-void ResultTable::write(const fileName& path) const
+void TableText::write(const fileName& path) const
 {
     replaceFile(path, header_ + rows_);
 }

@@ -107,7 +107,7 @@ TEST(StabilityTracker, aSphereThatMovesWithTheFlowIsStable)
         EXPECT_NEAR(statistics.displacement, mag(U) * 20, 1e-6);
         EXPECT_NEAR(statistics.coverage(), 1, 1e-12);
         EXPECT_NEAR(statistics.epsilon, 0.5 / 20, 1e-12);
-        EXPECT_NEAR(statistics.drift(), 0.5 / 20, 1e-12);
+        EXPECT_NEAR(statistics.smallestVisibleDrift(), 0.5 / 20, 1e-12);
     }
 }
 

@@ -57,8 +57,9 @@ TEST(ThreadRanks, AddUpAndFindTheFirst)
             {
                 const label rank = exchange.rank();
                 totals[rank] = exchange.total(rank + 3);
-                firsts[rank] =
-                    exchange.firstOf(rank == 0 && n > 1 ? "" : std::to_string(rank));
+                firsts[rank] = exchange.firstNonEmpty(
+                    rank == 0 && n > 1 ? "" : std::to_string(rank)
+                );
             }
         );
         for (label rank = 0; rank < n; ++rank)
@@ -105,7 +106,7 @@ TEST(ThreadRanks, FailTogether)
         {
             try
             {
-                together(
+                runOnAllRanks(
                     exchange,
                     [&]
                     {

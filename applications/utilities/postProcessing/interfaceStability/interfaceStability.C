@@ -21,13 +21,16 @@ Usage
       - \par -dict \<file\>
         Dictionary other than system/interfaceStabilityDict, which may be absent:
         every entry has a default. It is explained, entry by entry, in
-        etc/caseDicts/interfaceStabilityDict.
+        etc/caseDicts/interfaceStabilityDict; -help lists what is allowed.
 
       - \par -region \<name\>
         Mesh region other than the default one, or that of the dictionary.
 
       - \par -time \<ranges\>, -latestTime, -noZero
         Times to analyse, by default all; at least two.
+
+      - \par -listColumns
+        Lists the columns of the tables: name, unit, meaning. Needs no case.
 
     The results are in postProcessing/interfaceStability/\<startTime\>: surfaces and
     particles as VTK files, each family with a .vtp.series for ParaView, and tables
@@ -48,8 +51,12 @@ Usage
 #include "argList.H"
 #include "core/base/Version.H"
 #include "foam/AnalysisSession.H"
+#include "foam/entries/EntryHelp.H"
+#include "foam/entries/EntryTable.H"
+#include "foam/entries/Methods.H"
 #include "foam/errors/Failures.H"
 #include "foam/MethodComparison.H"
+#include "foam/results/ColumnList.H"
 #include "functionObject.H"
 #include "fvMesh.H"
 #include "timeSelector.H"
@@ -128,10 +135,27 @@ int main(int argc, char* argv[])
         "Reads system/interfaceStabilityDict if it is there, the volume fraction, U\n"
         "and phi of the selected times; writes to postProcessing/interfaceStability."
     );
+    for (const std::string& note : stability::entryHelp())
+    {
+        argList::addNote(note);
+    }
     timeSelector::addOptions(false, false);
+    argList::addBoolOption(
+        "listColumns", "List the columns of the tables that are written, and end"
+    );
 #include "addDictOption.H"
 #include "addRegionOption.H"
-#include "setRootCase.H"
+
+    argList args(argc, argv);
+    if (args.found("listColumns"))
+    {
+        Info << stability::listOfColumns().c_str() << endl;
+        return 0;
+    }
+    if (!args.checkRootCase())
+    {
+        FatalError.exit();
+    }
 #include "createTime.H"
 
     const instantList times(
@@ -147,7 +171,10 @@ int main(int argc, char* argv[])
     ));
     const std::vector<stability::Method> methods(stability::readMethods(dict));
     const word region(args.get<word>(
-        "region", dict.getOrDefault<word>("region", polyMesh::defaultRegion)
+        "region",
+        dict.getOrDefault<word>(
+            "region", stability::entryRow("region", stability::EntryType::name).standard
+        )
     ));
     fvMesh mesh(IOobject(region, runTime.timeName(), runTime, IOobject::MUST_READ));
 
@@ -167,10 +194,10 @@ int main(int argc, char* argv[])
     }
     if (methods.size() > 1)
     {
-        const fileName table(comparisonPath / "methods.dat");
+        const fileName table(comparisonPath / stability::methodTable().file);
         if (Pstream::master())
         {
-            stability::exitOnFailure([&] { comparison.write(table); });
+            stability::exitOnFailure([&] { comparison.write(comparisonPath); });
         }
         Info << comparison.verdict().c_str() << nl << "The numbers are in "
              << runTime.relativePath(table)

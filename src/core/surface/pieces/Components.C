@@ -13,23 +13,23 @@ namespace Foam::stability
 {
 
 Components::Components(
-    const SurfaceHalo& halo, const point& apex, const Exchange& exchange
+    const SurfaceHalo& halo, const point& referencePoint, const Exchange& exchange
 )
 {
     const InterfaceMesh& mesh = halo.mesh();
     const SurfaceTopology topology(mesh.points.size(), mesh.triangles);
     numberParts(halo, topology);
-    List<OnRank> held(ofTriangles_.size());
-    forAll(held, i)
+    List<OnRank> owned(ofTriangles_.size());
+    forAll(owned, i)
     {
-        held[i] = OnRank(exchange.rank(), ofTriangles_[i]);
+        owned[i] = OnRank(exchange.rank(), ofTriangles_[i]);
     }
-    const List<OnRank> known(halo.triangleValues(held));
+    const List<OnRank> known(halo.triangleValues(owned));
 
-    const auto parts = exchange.listsToMaster(measure(halo, topology, apex));
+    const auto parts = exchange.listsToMaster(measure(halo, topology, referencePoint));
     const auto touching = exchange.listsToMaster(contacts(halo, topology, known));
     std::vector<DynamicList<Verdict>> verdicts(exchange.nRanks());
-    together(
+    runOnAllRanks(
         exchange,
         [&]
         {
@@ -47,7 +47,7 @@ Components::Components(
         homes_.append(verdict.home);
         bodies_.append(verdict.body);
     }
-    const labelList ofPiece(halo.triangleValues(ofHeldTriangles()));
+    const labelList ofPiece(halo.triangleValues(ofOwnedTriangles()));
     ofPoints_.setSize(mesh.points.size(), 0);
     forAll(mesh.triangles, trianglei)
     {
@@ -58,7 +58,7 @@ Components::Components(
     }
 }
 
-labelList Components::ofHeldTriangles() const
+labelList Components::ofOwnedTriangles() const
 {
     labelList result(ofTriangles_.size());
     forAll(result, i)
@@ -80,7 +80,7 @@ bool closedAt(const SurfaceEdge& edge, const SurfaceHalo& halo)
 
 } // namespace
 
-// Numbers the parts that are connected by held triangles alone.
+// Numbers the parts that are connected by owned triangles alone.
 void Components::numberParts(const SurfaceHalo& halo, const SurfaceTopology& topology)
 {
     const label n = halo.mesh().triangles.size();
@@ -116,13 +116,14 @@ void Components::numberParts(const SurfaceHalo& halo, const SurfaceTopology& top
 }
 
 List<Components::Part> Components::measure(
-    const SurfaceHalo& halo, const SurfaceTopology& topology, const point& apex
+    const SurfaceHalo& halo, const SurfaceTopology& topology,
+    const point& referencePoint
 ) const
 {
     const InterfaceMesh& mesh = halo.mesh();
     List<Part> parts(nParts_, Part{TriangleKey(), true, 0, 0, 0});
     List<bool> met(nParts_, false);
-    const List<bool> counted(halo.counted());
+    const List<bool> isPrimary(halo.primaryPoints());
     List<bool> pointMet(mesh.points.size(), false);
     forAll(mesh.triangles, trianglei)
     {
@@ -138,14 +139,15 @@ List<Components::Part> Components::measure(
             part.lowest = halo.piece().keys[trianglei];
         }
         const triFace& t = mesh.triangles[trianglei];
-        part.volume += ((mesh.points[t[0]] - apex)
-                        & ((mesh.points[t[1]] - apex) ^ (mesh.points[t[2]] - apex)))
+        part.volume += ((mesh.points[t[0]] - referencePoint)
+                        & ((mesh.points[t[1]] - referencePoint)
+                           ^ (mesh.points[t[2]] - referencePoint)))
                        / 6;
         for (label k = 0; k < 3; ++k)
         {
             const label edgei = topology.triangleEdges()[trianglei][k];
             part.closed = part.closed && closedAt(topology.edges()[edgei], halo);
-            if (counted[t[k]] && !pointMet[t[k]])
+            if (isPrimary[t[k]] && !pointMet[t[k]])
             {
                 pointMet[t[k]] = true;
                 ++part.nPoints;
@@ -279,19 +281,19 @@ std::vector<List<Components::Verdict>> Components::judge(
 }
 
 WholeComponents wholeComponents(
-    const SurfacePiece& held, const Components& components, const UList<bool>& chosen,
+    const SurfacePiece& owned, const Components& components, const UList<bool>& chosen,
     const Exchange& exchange
 )
 {
     std::vector<DynamicList<label>> triangles(exchange.nRanks());
-    forAll(held.mesh.triangles, trianglei)
+    forAll(owned.mesh.triangles, trianglei)
     {
         if (chosen[trianglei])
         {
             triangles[components.homeOf(trianglei)].append(trianglei);
         }
     }
-    const labelList numbers(components.ofHeldTriangles());
+    const labelList numbers(components.ofOwnedTriangles());
     std::vector<DynamicList<label>> numbersOfRanks(triangles.size());
     for (std::size_t ranki = 0; ranki < triangles.size(); ++ranki)
     {
@@ -300,7 +302,7 @@ WholeComponents wholeComponents(
             numbersOfRanks[ranki].append(numbers[trianglei]);
         }
     }
-    JoinedSurface joined(redistributed(held, triangles, exchange));
+    JoinedSurface joined(redistributed(owned, triangles, exchange));
     return {
         std::move(joined.piece),
         joinedValues(exchange.exchangeLists(numbersOfRanks), joined.triangleSources)};

@@ -12,7 +12,7 @@ labelList placesInOrder(const UList<TriangleKey>& keys, const Exchange& exchange
 {
     const std::vector<List<TriangleKey>> all(exchange.listsToMaster(keys));
     std::vector<DynamicList<label>> places(exchange.nRanks());
-    together(
+    runOnAllRanks(
         exchange,
         [&]
         {

@@ -45,17 +45,18 @@ label before(label nHere, const Exchange& exchange)
 // Each seed is numbered by the rank that its hash says.
 labelList pointNumbers(const SurfaceOrder& piece, const Exchange& exchange)
 {
-    const label n = piece.seeds.size(), nRanks = exchange.nRanks();
-    if (nRanks == 1 || !piece.joined)
+    const label n = piece.startPositions.size(), nRanks = exchange.nRanks();
+    if (nRanks == 1 || !piece.sharesPoints)
     {
         return identity(n, before(n, exchange));
     }
     std::vector<DynamicList<point>> asked(nRanks);
     labelList asksFrom(n);
-    forAll(piece.seeds, i)
+    forAll(piece.startPositions, i)
     {
-        asksFrom[i] = label(HashOfSeed()(piece.seeds[i]) % std::size_t(nRanks));
-        asked[asksFrom[i]].append(piece.seeds[i]);
+        asksFrom[i] =
+            label(HashOfSeed()(piece.startPositions[i]) % std::size_t(nRanks));
+        asked[asksFrom[i]].append(piece.startPositions[i]);
     }
     std::unordered_map<point, label, HashOfSeed> known;
     std::vector<DynamicList<label>> numbers(nRanks);

@@ -7,12 +7,12 @@ namespace Foam::stability
 {
 
 JoinedSurface redistributed(
-    const SurfacePiece& held, const std::vector<DynamicList<label>>& trianglesOfRanks,
+    const SurfacePiece& owned, const std::vector<DynamicList<label>>& trianglesOfRanks,
     const Exchange& exchange
 )
 {
     std::vector<Packet> packets(exchange.nRanks());
-    together(
+    runOnAllRanks(
         exchange,
         [&]
         {
@@ -20,14 +20,14 @@ JoinedSurface redistributed(
             {
                 if (!trianglesOfRanks[ranki].empty())
                 {
-                    pack(partOf(held, trianglesOfRanks[ranki]), packets[ranki]);
+                    pack(partOf(owned, trianglesOfRanks[ranki]), packets[ranki]);
                 }
             }
         }
     );
     packets = exchange.exchange(std::move(packets));
     JoinedSurface joined;
-    together(
+    runOnAllRanks(
         exchange,
         [&]
         {
@@ -42,7 +42,7 @@ JoinedSurface redistributed(
             if (parts.empty())
             {
                 parts.emplace_back();
-                parts[0].joined = held.joined;
+                parts[0].sharesPoints = owned.sharesPoints;
             }
             joined = join(parts);
         }

@@ -50,22 +50,22 @@ boundBox moved(const boundBox& box, const RigidMotion& motion)
 } // namespace
 
 SurfaceHalo::SurfaceHalo(
-    const SurfacePiece& held, const VoxelMask& wanted, const Exchange& exchange,
+    const SurfacePiece& owned, const VoxelMask& wanted, const Exchange& exchange,
     const PeriodicImages* images
 )
-    : exchange_(exchange), nHeldPoints_(held.mesh.points.size()),
-      nHeldTriangles_(held.mesh.triangles.size()), sent_(exchange.nRanks())
+    : exchange_(exchange), nHeldPoints_(owned.mesh.points.size()),
+      nHeldTriangles_(owned.mesh.triangles.size()), sent_(exchange.nRanks())
 {
-    std::vector<SurfacePiece> parts{held};
+    std::vector<SurfacePiece> parts{owned};
     if (exchange.nRanks() > 1 || images)
     {
-        const auto asked = askFor(boundBox(held.mesh.points, false), wanted, images);
+        const auto asked = askFor(boundBox(owned.mesh.points, false), wanted, images);
         std::vector<Packet> answers;
-        together(
-            exchange, [&] { answers = answer(held, asked, wanted.size(), images); }
+        runOnAllRanks(
+            exchange, [&] { answers = answer(owned, asked, wanted.size(), images); }
         );
         answers = exchange.exchange(std::move(answers));
-        together(
+        runOnAllRanks(
             exchange,
             [&]
             {
@@ -79,7 +79,7 @@ SurfaceHalo::SurfaceHalo(
             }
         );
     }
-    together(
+    runOnAllRanks(
         exchange,
         [&]
         {
@@ -93,7 +93,7 @@ SurfaceHalo::SurfaceHalo(
 }
 
 std::vector<Packet> SurfaceHalo::answer(
-    const SurfacePiece& held, const std::vector<std::vector<Question>>& asked,
+    const SurfacePiece& owned, const std::vector<std::vector<Question>>& asked,
     scalar voxelSize, const PeriodicImages* images
 )
 {
@@ -108,7 +108,7 @@ std::vector<Packet> SurfaceHalo::answer(
                 question.image ? &images->motion(question.image) : nullptr;
             if (!indices.count(question.image))
             {
-                indices.emplace(question.image, indexOf(held.mesh, voxelSize, motion));
+                indices.emplace(question.image, indexOf(owned.mesh, voxelSize, motion));
             }
             const DynamicList<label> found(
                 indices.at(question.image).meeting(question.voxels)
@@ -116,7 +116,7 @@ std::vector<Packet> SurfaceHalo::answer(
             sent.append(found);
             if (!found.empty())
             {
-                SurfacePiece part(partOf(held, found));
+                SurfacePiece part(partOf(owned, found));
                 pack(
                     motion ? imageOf(part, question.image, *images) : part,
                     answers[ranki]
@@ -130,11 +130,11 @@ std::vector<Packet> SurfaceHalo::answer(
 
 // Per rank what it asks this one for.
 std::vector<std::vector<SurfaceHalo::Question>> SurfaceHalo::askFor(
-    const boundBox& held, const VoxelMask& wanted, const PeriodicImages* images
+    const boundBox& owned, const VoxelMask& wanted, const PeriodicImages* images
 ) const
 {
     Packet mine;
-    mine.put(held);
+    mine.put(owned);
     std::vector<Packet> boxes = exchange_.toAll(mine);
     std::vector<Packet> questions(exchange_.nRanks());
     for (label ranki = 0; ranki < exchange_.nRanks(); ++ranki)
@@ -176,7 +176,7 @@ List<bool> SurfaceHalo::ownTriangles() const
     return own;
 }
 
-List<bool> SurfaceHalo::counted() const
+List<bool> SurfaceHalo::primaryPoints() const
 {
     List<bool> result(mesh().points.size(), false);
     List<bool> met(mesh().points.size(), false);

@@ -43,20 +43,21 @@ std::vector<RimPoint> rimOf(const SurfacePiece& piece, std::size_t part)
     rim.reserve(points.size());
     for (const label pointi : points)
     {
-        rim.push_back({part, pointi, piece.seeds[pointi] & oblique});
+        rim.push_back({part, pointi, piece.startPositions[pointi] & oblique});
     }
     return rim;
 }
 
-// Per point the indices of its p.
-std::vector<std::vector<label>> parametersAtPoints(const InterfaceMesh& mesh)
+// Per point the indices of its values of corners.
+std::vector<std::vector<label>>
+valuesAtPoints(const InterfaceMesh& mesh, const List<CornerIndices>& corners)
 {
     std::vector<std::vector<label>> result(mesh.points.size());
     forAll(mesh.triangles, trianglei)
     {
         for (label k = 0; k < 3; ++k)
         {
-            const label index = mesh.corners[trianglei][k];
+            const label index = corners[trianglei][k];
             std::vector<label>& known = result[mesh.triangles[trianglei][k]];
             if (index >= 0
                 && std::find(known.begin(), known.end(), index) == known.end())
@@ -77,7 +78,9 @@ public:
         {
             const std::vector<RimPoint> rim(rimOf(parts[part], part));
             rim_.insert(rim_.end(), rim.begin(), rim.end());
-            parameters_.push_back(parametersAtPoints(parts[part].mesh));
+            const InterfaceMesh& mesh = parts[part].mesh;
+            parameters_.push_back(valuesAtPoints(mesh, mesh.corners));
+            origins_.push_back(valuesAtPoints(mesh, mesh.originCorners));
             order_.push_back(part);
         }
         // What lies in its place first: so all ranks take over the same.
@@ -130,8 +133,8 @@ private:
         for (; other != rim_.end() && other->along <= point.along + 2 * tolerance;
              ++other)
         {
-            const vector way =
-                parts_[other->part].seeds[other->pointi] - piece.seeds[point.pointi];
+            const vector way = parts_[other->part].startPositions[other->pointi]
+                               - piece.startPositions[point.pointi];
             if (places_[other->part] < places_[point.part]
                 && magSqr(way) <= sqr(tolerance)
                 && (!first || places_[other->part] < places_[first->part]))
@@ -146,9 +149,8 @@ private:
     {
         SurfacePiece& piece = parts_[point.part];
         const SurfacePiece& from = parts_[first.part];
-        piece.seeds[point.pointi] = from.seeds[first.pointi];
+        piece.startPositions[point.pointi] = from.startPositions[first.pointi];
         piece.mesh.points[point.pointi] = from.mesh.points[first.pointi];
-        piece.mesh.origins[point.pointi] = from.mesh.origins[first.pointi];
         piece.mesh.cells[point.pointi] = from.mesh.cells[first.pointi];
         piece.mesh.cellSizes[point.pointi] = from.mesh.cellSizes[first.pointi];
         for (const label index : parameters_[point.part][point.pointi])
@@ -164,12 +166,36 @@ private:
                 }
             }
         }
+        for (const label index : origins_[point.part][point.pointi])
+        {
+            takeOverNearest(
+                piece.mesh.origins[index], from.mesh.origins,
+                origins_[first.part][first.pointi]
+            );
+        }
+    }
+
+    static void takeOverNearest(
+        point& origin, const pointField& there, const std::vector<label>& indices
+    )
+    {
+        const point before(origin);
+        scalar least = VGREAT;
+        for (const label other : indices)
+        {
+            if (magSqr(there[other] - before) < least)
+            {
+                least = magSqr(there[other] - before);
+                origin = there[other];
+            }
+        }
     }
 
     std::vector<SurfacePiece>& parts_;
     std::vector<RimPoint> rim_;
-    std::vector<std::size_t> order_, places_;                 // of the parts
-    std::vector<std::vector<std::vector<label>>> parameters_; // per part and point
+    std::vector<std::size_t> order_, places_; // of the parts
+    std::vector<std::vector<std::vector<label>>> parameters_,
+        origins_; // per part and point: indices
 };
 
 } // namespace
@@ -177,7 +203,7 @@ private:
 SurfacePiece imageOf(SurfacePiece piece, label image, const PeriodicImages& images)
 {
     const RigidMotion& motion = images.motion(image);
-    for (pointField* points : {&piece.mesh.points, &piece.seeds})
+    for (pointField* points : {&piece.mesh.points, &piece.startPositions})
     {
         for (point& x : *points)
         {

@@ -4,6 +4,7 @@
 #include "core/surface/pieces/SurfacePiece.H"
 
 #include "core/cells/CanonicalOrder.H"
+#include "core/surface/pieces/SurfaceColumns.H"
 
 #include <algorithm>
 
@@ -20,142 +21,24 @@ bool TriangleKey::operator<(const TriangleKey& k) const
 namespace
 {
 
-template<class T>
-List<T> selected(const UList<T>& values, const UList<label>& places)
-{
-    List<T> result(places.size());
-    forAll(places, i)
-    {
-        result[i] = values[places[i]];
-    }
-    return result;
-}
-
-// Points and parameters in the order in which triangles come to them.
-class FirstCome
-{
-public:
-    explicit FirstCome(label n) : numbers_(n, -1) {}
-
-    label number(label i)
-    {
-        if (numbers_[i] < 0)
-        {
-            numbers_[i] = sources_.size();
-            sources_.append(i);
-        }
-        return numbers_[i];
-    }
-
-    const labelList& numbers() const { return numbers_; }
-    const DynamicList<label>& sources() const { return sources_; }
-
-private:
-    labelList numbers_;
-    DynamicList<label> sources_;
-};
-
-// All parts, one after the other.
-struct Heap
-{
-    DynamicList<point> points, origins, seeds;
-    DynamicList<label> cells, boundaryFaces;
-    DynamicList<scalar> cellSizes;
-    DynamicList<vector2D> parameters;
-    DynamicList<triFace> triangles;
-    DynamicList<labelPair> materials;
-    DynamicList<CornerIndices> corners;
-    DynamicList<TriangleKey> keys;
-
-    explicit Heap(const std::vector<SurfacePiece>& parts)
-    {
-        for (const SurfacePiece& part : parts)
-        {
-            add(part);
-        }
-    }
-
-private:
-    void add(const SurfacePiece& part)
-    {
-        const InterfaceMesh& mesh = part.mesh;
-        const label firstPoint = points.size(), firstParameter = parameters.size();
-        points.append(mesh.points);
-        origins.append(mesh.origins);
-        seeds.append(part.seeds);
-        cells.append(mesh.cells);
-        boundaryFaces.append(mesh.boundaryFaces);
-        cellSizes.append(mesh.cellSizes);
-        parameters.append(mesh.parameters);
-        materials.append(mesh.materials);
-        keys.append(part.keys);
-        forAll(mesh.triangles, i)
-        {
-            triFace t(mesh.triangles[i]);
-            CornerIndices c(mesh.corners[i]);
-            for (label k = 0; k < 3; ++k)
-            {
-                t[k] += firstPoint;
-                c[k] += c[k] < 0 ? 0 : firstParameter;
-            }
-            triangles.append(t);
-            corners.append(c);
-        }
-    }
-};
-
 // Per point the first with the same seed.
-labelList weld(const UList<point>& seeds)
+labelList weld(const UList<point>& startPositions)
 {
-    labelList welded(identity(seeds.size()));
+    labelList welded(identity(startPositions.size()));
     labelList order(welded);
     std::stable_sort(
         order.begin(), order.end(),
-        [&](label a, label b) { return beforeByPosition(seeds[a], seeds[b]); }
+        [&](label a, label b)
+        { return beforeByPosition(startPositions[a], startPositions[b]); }
     );
     for (label i = 1; i < order.size(); ++i)
     {
-        if (seeds[order[i]] == seeds[order[i - 1]])
+        if (startPositions[order[i]] == startPositions[order[i - 1]])
         {
             welded[order[i]] = welded[order[i - 1]];
         }
     }
     return welded;
-}
-
-// Per triangle the indices of p, those of a point that are equal made one.
-List<CornerIndices> weldParameters(
-    const List<triFace>& triangles, const List<CornerIndices>& corners,
-    const UList<vector2D>& parameters, label nPoints
-)
-{
-    List<CornerIndices> result(corners);
-    labelList first(nPoints, -1), next(parameters.size(), -1);
-    forAll(triangles, trianglei)
-    {
-        for (label k = 0; k < 3; ++k)
-        {
-            label& index = result[trianglei][k];
-            if (index < 0)
-            {
-                continue;
-            }
-            label& start = first[triangles[trianglei][k]];
-            label i = start;
-            while (i >= 0 && parameters[i] != parameters[index])
-            {
-                i = next[i];
-            }
-            if (i < 0)
-            {
-                next[index] = start;
-                start = index;
-                i = index;
-            }
-            index = i;
-        }
-    }
-    return result;
 }
 
 } // namespace
@@ -164,7 +47,7 @@ SurfacePiece wholeSurface(const InterfaceMesh& mesh)
 {
     SurfacePiece piece;
     piece.mesh = mesh;
-    piece.seeds = mesh.points;
+    piece.startPositions = mesh.points;
     piece.keys.setSize(mesh.triangles.size());
     forAll(piece.keys, i)
     {
@@ -189,24 +72,14 @@ keepOwn(SurfacePiece& piece, const InterfaceMesh& extracted, const CellComplex& 
             own.append(i);
         }
     }
-    InterfaceMesh& mesh = piece.mesh;
-    mesh.triangles = selected(extracted.triangles, own);
-    FirstCome order(extracted.points.size());
-    for (triFace& t : mesh.triangles)
+    piece = SurfacePiece();
+    labelList kept;
     {
-        for (label& pointi : t)
-        {
-            pointi = order.number(pointi);
-        }
+        SurfacePiece all(wholeSurface(extracted));
+        all.mesh.clearParametrization();
+        piece = partOf(all, own, &kept);
     }
-    const DynamicList<label>& kept = order.sources();
-    mesh.points = pointField(extracted.points, kept);
-    mesh.cells = selected(extracted.cells, kept);
-    mesh.boundaryFaces = selected(extracted.boundaryFaces, kept);
-    mesh.cellSizes = scalarField(extracted.cellSizes, kept);
-    mesh.clearParametrization();
-    useGlobalCells(mesh, complex);
-    piece.seeds = mesh.points;
+    useGlobalCells(piece.mesh, complex);
 
     piece.keys.setSize(own.size());
     forAll(own, i)
@@ -221,130 +94,58 @@ keepOwn(SurfacePiece& piece, const InterfaceMesh& extracted, const CellComplex& 
                                 : TriangleKey{piece.keys[i - 1].where,
                                               piece.keys[i - 1].place + 1};
     }
-    return labelList(kept);
+    return kept;
 }
 
 SurfacePiece
 partOf(const SurfacePiece& whole, const UList<label>& triangles, labelList* pointsOf)
 {
-    const InterfaceMesh& mesh = whole.mesh;
     SurfacePiece part;
-    part.joined = whole.joined;
-    part.keys = selected(whole.keys, triangles);
-    part.mesh.triangles = selected(mesh.triangles, triangles);
-    part.mesh.materials = selected(mesh.materials, triangles);
-    part.mesh.corners = selected(mesh.corners, triangles);
-    FirstCome points(mesh.points.size()), parameters(mesh.parameters.size());
-    forAll(triangles, i)
+    part.sharesPoints = whole.sharesPoints;
+    part.mesh.triangles = selected(whole.mesh.triangles, triangles);
+    CompactNumbering points(whole.mesh.points.size());
+    for (triFace& t : part.mesh.triangles)
     {
-        for (label k = 0; k < 3; ++k)
+        for (label& pointi : t)
         {
-            label& pointi = part.mesh.triangles[i][k];
             pointi = points.number(pointi);
-            label& index = part.mesh.corners[i][k];
-            index = index < 0 ? index : parameters.number(index);
         }
     }
-    const DynamicList<label>& kept = points.sources();
-    part.mesh.points = pointField(mesh.points, kept);
-    part.mesh.origins = pointField(mesh.origins, kept);
-    part.mesh.cells = selected(mesh.cells, kept);
-    part.mesh.boundaryFaces = selected(mesh.boundaryFaces, kept);
-    part.mesh.cellSizes = scalarField(mesh.cellSizes, kept);
-    part.mesh.parameters = selected(mesh.parameters, parameters.sources());
-    part.seeds = pointField(whole.seeds, kept);
+    selectColumns(whole, points.sources(), triangles, part);
     if (pointsOf)
     {
-        *pointsOf = kept;
+        *pointsOf = points.sources();
     }
     return part;
 }
 
-void pack(const SurfacePiece& piece, Packet& packet)
-{
-    const InterfaceMesh& mesh = piece.mesh;
-    packet.putList(mesh.points);
-    packet.putList(mesh.origins);
-    packet.putList(mesh.cells);
-    packet.putList(mesh.boundaryFaces);
-    packet.putList(mesh.cellSizes);
-    packet.putList(mesh.parameters);
-    packet.putList(mesh.triangles);
-    packet.putList(mesh.materials);
-    packet.putList(mesh.corners);
-    packet.putList(piece.keys);
-    packet.putList(piece.seeds);
-    packet.put(piece.joined);
-}
-
-SurfacePiece unpackedSurface(Packet& packet)
-{
-    SurfacePiece piece;
-    InterfaceMesh& mesh = piece.mesh;
-    mesh.points = packet.getList<point>();
-    mesh.origins = packet.getList<point>();
-    mesh.cells = packet.getList<label>();
-    mesh.boundaryFaces = packet.getList<label>();
-    mesh.cellSizes = packet.getList<scalar>();
-    mesh.parameters = packet.getList<vector2D>();
-    mesh.triangles = packet.getList<triFace>();
-    mesh.materials = packet.getList<labelPair>();
-    mesh.corners = packet.getList<CornerIndices>();
-    piece.keys = packet.getList<TriangleKey>();
-    piece.seeds = packet.getList<point>();
-    piece.joined = packet.get<bool>();
-    return piece;
-}
-
 JoinedSurface join(const std::vector<SurfacePiece>& parts)
 {
-    const Heap heap(parts);
+    const SurfacePiece all(concatenated(parts));
     JoinedSurface result;
     SurfacePiece& piece = result.piece;
-    piece.joined = !parts.empty() && parts[0].joined;
+    piece.sharesPoints = all.sharesPoints;
     const labelList welded(
-        piece.joined && parts.size() > 1 ? weld(heap.seeds)
-                                         : identity(heap.points.size())
+        piece.sharesPoints && parts.size() > 1 ? weld(all.startPositions)
+                                               : identity(all.mesh.points.size())
     );
     labelList& order = result.triangleSources;
-    order = identity(heap.triangles.size());
+    order = identity(all.mesh.triangles.size());
     std::stable_sort(
         order.begin(), order.end(),
-        [&](label a, label b) { return heap.keys[a] < heap.keys[b]; }
+        [&](label a, label b) { return all.keys[a] < all.keys[b]; }
     );
-
-    InterfaceMesh& mesh = piece.mesh;
-    mesh.triangles = selected(heap.triangles, order);
-    mesh.materials = selected(heap.materials, order);
-    piece.keys = selected(heap.keys, order);
-    FirstCome points(heap.points.size());
-    for (triFace& t : mesh.triangles)
+    piece.mesh.triangles = selected(all.mesh.triangles, order);
+    CompactNumbering points(all.mesh.points.size());
+    for (triFace& t : piece.mesh.triangles)
     {
         for (label& pointi : t)
         {
             pointi = points.number(welded[pointi]);
         }
     }
-    const DynamicList<label>& kept = points.sources();
-    mesh.corners = weldParameters(
-        mesh.triangles, selected(heap.corners, order), heap.parameters, kept.size()
-    );
-    FirstCome parameters(heap.parameters.size());
-    for (CornerIndices& c : mesh.corners)
-    {
-        for (label& index : c)
-        {
-            index = index < 0 ? index : parameters.number(index);
-        }
-    }
-    mesh.points = pointField(heap.points, kept);
-    mesh.origins = pointField(heap.origins, kept);
-    mesh.cells = selected(heap.cells, kept);
-    mesh.boundaryFaces = selected(heap.boundaryFaces, kept);
-    mesh.cellSizes = scalarField(heap.cellSizes, kept);
-    mesh.parameters = selected(heap.parameters, parameters.sources());
-    piece.seeds = pointField(heap.seeds, kept);
-    result.pointSources = kept;
+    selectColumns(all, points.sources(), order, piece);
+    result.pointSources = points.sources();
     result.pointPlaces = selected(points.numbers(), welded);
     return result;
 }
@@ -367,9 +168,9 @@ JoinedSurface ownParts(
         [&](label a, label b) { return parents[a] < parents[b]; }
     );
     SurfacePiece all;
-    all.joined = piece.joined;
+    all.sharesPoints = piece.sharesPoints;
     all.mesh = mesh;
-    all.seeds = mesh.points;
+    all.startPositions = mesh.points;
     all.keys.setSize(parents.size());
     forAll(kept, i)
     {

@@ -39,7 +39,7 @@ InterfaceMesh sheet(const CellComplex& complex, label n)
     }
     mesh.triangles.transfer(triangles);
     mesh.clearParametrization();
-    mesh.origins = mesh.points + vector(0, 0, 0.1);
+    mesh.setOrigins(mesh.points + vector(0, 0, 0.1));
     mesh.parameters.setSize(n * n);
     mesh.cells.setSize(n * n);
     mesh.boundaryFaces.setSize(n * n, -1);
@@ -88,7 +88,7 @@ void detach(
     }
     surface.components = labelList(n, component);
     surface.areas = halo.mesh().pointAreas();
-    surface.counted = halo.counted();
+    surface.isPrimary = halo.primaryPoints();
     particles.seed(surface, halo, complex, time, alone);
 }
 

@@ -21,7 +21,7 @@ CellComplexInput numbered(CellComplexInput mesh)
     mesh.globalCells = identity(mesh.nCells);
     mesh.globalPoints = identity(mesh.points.size());
     mesh.globalBoundaryFaces = identity(mesh.kinds.size());
-    mesh.behind = labelList(mesh.kinds.size(), -1);
+    mesh.cellBehind = labelList(mesh.kinds.size(), -1);
     return mesh;
 }
 
@@ -93,8 +93,8 @@ TEST(CellBlock, aPieceIsThatOfTheWhole)
         EXPECT_EQ(piece.cellVolumes()[celli], all.cellVolumes()[there]);
         EXPECT_EQ(piece.cellCentres()[celli], all.cellCentres()[there]);
         EXPECT_EQ(piece.localCell(piece.globalCell(celli)), celli);
-        nComplete += piece.complete(celli);
-        if (piece.complete(celli))
+        nComplete += piece.hasAllNeighbours(celli);
+        if (piece.hasAllNeighbours(celli))
         {
             for (const label facei : piece.cellFaces()[celli])
             {
@@ -129,17 +129,17 @@ TEST(CellBlock, facesAtTheRimTellTheCellBehind)
     label nBeyond = 0;
     forAll(input.kinds, i)
     {
-        if (input.kinds[i] != BoundaryKind::beyond)
+        if (input.kinds[i] != BoundaryKind::coupledUnknown)
         {
-            EXPECT_EQ(input.behind[i], -1);
+            EXPECT_EQ(input.cellBehind[i], -1);
             continue;
         }
         ++nBeyond;
         const label facei = piece.nInternalFaces() + i;
         const vector way =
-            all.cellCentres()[input.behind[i]] - piece.faceCentres()[facei];
+            all.cellCentres()[input.cellBehind[i]] - piece.faceCentres()[facei];
         EXPECT_GT(way & piece.faceAreas()[facei], 0);
-        EXPECT_GT(all.cellCentres()[input.behind[i]].z(), 0.5);
+        EXPECT_GT(all.cellCentres()[input.cellBehind[i]].z(), 0.5);
     }
     EXPECT_EQ(nBeyond, 30);
 }

@@ -84,7 +84,7 @@ label nIncomplete(const CellComplex& complex)
     label n = 0;
     for (label celli = 0; celli < complex.nCells(); ++celli)
     {
-        n += complex.own(celli) && !complex.complete(celli);
+        n += complex.own(celli) && !complex.hasAllNeighbours(celli);
     }
     return n;
 }

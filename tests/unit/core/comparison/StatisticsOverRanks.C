@@ -3,7 +3,7 @@
 
 // The statistics of a surface in pieces are those of the whole, to the last bit.
 
-#include "core/comparison/Statistics.H"
+#include "core/comparison/StatisticsTables.H"
 #include "shapes/Surfaces.H"
 #include "shapes/ThreadRanks.H"
 
@@ -55,26 +55,26 @@ ClassifiedSurface hills(unsigned seed)
         surface.subGrid[i] = often();
     }
     surface.areas = mesh.pointAreas();
-    surface.counted = List<bool>(n, true);
+    surface.isPrimary = List<bool>(n, true);
     return surface;
 }
 
 // Shifts of the points of a surface [m].
 pointField seedsOf(const ClassifiedSurface& surface)
 {
-    pointField seeds(surface.mesh.points);
-    forAll(seeds, i)
+    pointField startPositions(surface.mesh.points);
+    forAll(startPositions, i)
     {
-        seeds[i] += vector(0.01 * i, std::cos(scalar(i)), 0.3);
+        startPositions[i] += vector(0.01 * i, std::cos(scalar(i)), 0.3);
     }
-    return seeds;
+    return startPositions;
 }
 
 // Some triangles with their points. Of several ranks the lowest counts a point.
 struct Piece
 {
     ClassifiedSurface surface;
-    pointField seeds;
+    pointField startPositions;
 };
 
 label rankOf(label trianglei, label n)
@@ -119,20 +119,23 @@ Piece pieceOf(const ClassifiedSurface& whole, label rank, label n)
     select(piece.surface, points);
     own.points = pointField(UIndirectList<point>(mesh.points, points));
     own.cellSizes = scalarField(UIndirectList<scalar>(mesh.cellSizes, points));
-    piece.seeds = pointField(UIndirectList<point>(seedsOf(whole), points));
+    piece.startPositions = pointField(UIndirectList<point>(seedsOf(whole), points));
     forAll(points, i)
     {
-        piece.surface.counted[i] = lowest[points[i]] == rank;
+        piece.surface.isPrimary[i] = lowest[points[i]] == rank;
     }
     return piece;
 }
 
 std::vector<scalar> allValues(const Statistics& statistics)
 {
-    std::vector<scalar> all(statistics.values());
-    for (const scalar value : statistics.survivalValues())
+    std::vector<scalar> all;
+    for (const auto* table : {&stabilityTable(), &survivalTable()})
     {
-        all.push_back(value);
+        for (const TableColumn<Statistics>& column : table->columns)
+        {
+            all.push_back(column.value(statistics));
+        }
     }
     all.push_back(statistics.timeSurfaceArea);
     all.push_back(statistics.epsilonCells);
@@ -152,8 +155,10 @@ std::vector<std::vector<scalar>> valuesOn(label n)
             const Piece m(pieceOf(interface, rank, n));
             const Piece t(pieceOf(timeSurface, rank, n));
             Statistics statistics;
-            survey(statistics, m.surface, t.surface, Epsilon{0.3, true}, exchange);
-            surveyDisplacement(statistics, t.surface, t.seeds, exchange);
+            addSurfaceStatistics(
+                statistics, m.surface, t.surface, Epsilon{0.3, true}, exchange
+            );
+            addDisplacement(statistics, t.surface, t.startPositions, exchange);
             values[rank] = allValues(statistics);
         }
     );
@@ -166,8 +171,10 @@ TEST(StatisticsOverRanks, areThoseOfTheWhole)
 {
     Statistics whole;
     const ClassifiedSurface interface(hills(1)), timeSurface(hills(2));
-    survey(whole, interface, timeSurface, Epsilon{0.3, true}, SerialExchange());
-    surveyDisplacement(whole, timeSurface, seedsOf(timeSurface), SerialExchange());
+    addSurfaceStatistics(
+        whole, interface, timeSurface, Epsilon{0.3, true}, SerialExchange()
+    );
+    addDisplacement(whole, timeSurface, seedsOf(timeSurface), SerialExchange());
     const std::vector<scalar> truth(allValues(whole));
     const scalar area = interface.mesh.area();
     EXPECT_NEAR(whole.area, area, 1e-13 * area);

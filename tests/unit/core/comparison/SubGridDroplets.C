@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 
 using namespace Foam;
 using namespace Foam::stability;
@@ -157,8 +158,23 @@ TEST(SubGridDroplets, whatTouchesAWallIsNotClosed)
     EXPECT_TRUE(found.droplets.empty());
 }
 
-TEST(SubGridDroplets, namesAndValuesAgreeInNumber)
+TEST(SubGridDroplets, aRowTellsADropletAtATime)
 {
-    EXPECT_EQ(Droplet::columns().size(), Droplet().values(0).size());
+    const Droplet droplet{4, true, false, 1.25, 1e-3, point(5, 6, 7), 8};
+    const DropletRow row{droplet, 0.5};
+    std::map<std::string, scalar> values;
+    for (const TableColumn<DropletRow>& column : dropletTable().columns)
+    {
+        EXPECT_TRUE(values.emplace(column.name, column.value(row)).second);
+    }
+    const std::map<std::string, scalar> expected{
+        {"Time", 0.5},    {"component", 4}, {"bubble", 1},    {"fromAlpha", 0},
+        {"radius", 1.25}, {"volume", 1e-3}, {"centroidX", 5}, {"centroidY", 6},
+        {"centroidZ", 7}, {"points", 8}};
+    EXPECT_EQ(values, expected);
+}
+
+TEST(SubGridDroplets, whereAllIsFullThereAreNone)
+{
     EXPECT_TRUE(find([](const point&) { return 1.0; }).droplets.empty());
 }

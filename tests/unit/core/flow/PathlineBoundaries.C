@@ -229,7 +229,7 @@ TEST(PathlineBoundaries, CountsWhatIsToBeCounted)
 {
     const auto complex = shapes::box(shapes::channel(6, BoundaryKind::open));
     List<Pathline> lines = shapes::linesAt(List<point>(3, point(1.9, 0.5, 0.5)));
-    lines[0].counted = lines[2].counted = false;
+    lines[0].isPrimary = lines[2].isPrimary = false;
     const IntegrationCounts counts = shapes::throughSnapshots(
         lines, complex, shapes::uniformFlow(vector(1, 0, 0)), 0, 1, 1,
         IntegrationOptions()

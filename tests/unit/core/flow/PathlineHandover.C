@@ -29,7 +29,7 @@ CellComplexInput numberedBox()
     mesh.globalCells = identity(mesh.nCells);
     mesh.globalPoints = identity(mesh.points.size());
     mesh.globalBoundaryFaces = identity(mesh.kinds.size());
-    mesh.behind = labelList(mesh.kinds.size(), -1);
+    mesh.cellBehind = labelList(mesh.kinds.size(), -1);
     return mesh;
 }
 
@@ -111,7 +111,7 @@ TEST(PathlineHandover, endsWhereItEndsOnTheWhole)
             here = 1 - here;
             handed.hint.cell = pieces[here]->localCell(global);
             ASSERT_GE(handed.hint.cell, 0);
-            ASSERT_TRUE(pieces[here]->complete(handed.hint.cell));
+            ASSERT_TRUE(pieces[here]->hasAllNeighbours(handed.hint.cell));
         }
         nHandovers += n;
         EXPECT_EQ(handed.x, whole.x);

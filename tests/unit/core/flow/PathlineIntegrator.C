@@ -352,14 +352,14 @@ TEST(PathlineIntegrator, LastStageOfAnIntervalIsTheFirstOfTheNext)
     for (label n = 0; n < 3; ++n)
     {
         const shapes::AnalyticVelocity flow(shapes::leveque(), 0.2 * n, 0.2 * (n + 1));
-        const Interrupted counted(flow, labelMax);
+        const Interrupted isPrimary(flow, labelMax);
         IntegrationCounts counts;
         for (Pathline& line : lines)
         {
-            advance(line, counted, shapes::tolerance(1e-8), counts);
+            advance(line, isPrimary, shapes::tolerance(1e-8), counts);
         }
         EXPECT_EQ(
-            counted.nAnswered(),
+            isPrimary.nAnswered(),
             6 * (counts.nSteps + counts.nRejected) + (n == 0 ? start.size() : 0)
         );
     }

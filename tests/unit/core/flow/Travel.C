@@ -140,7 +140,7 @@ TEST(Travel, aTranslationGoesRoundAndRound)
                 exact - vector(std::floor(exact.x()), std::floor(exact.y()), 0)
             );
             EXPECT_LT(mag(line.x - wrapped), 1e-12);
-            nFar += mag(line.way.shift) > 3;
+            nFar += mag(line.unwrapTransform.shift) > 3;
         }
         EXPECT_GT(nFar, 10);
     }

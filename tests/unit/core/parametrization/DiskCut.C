@@ -190,6 +190,7 @@ TEST(DiskCut, ExtendsToAPoint)
 TEST(DiskCut, RefusesWhatIsNotOneComponent)
 {
     const PlainSurface two =
-        together({hemisphere(point(0, 0, 0), 1, 2), hemisphere(point(5, 0, 0), 1, 2)});
+        inOneScene({hemisphere(point(0, 0, 0), 1, 2), hemisphere(point(5, 0, 0), 1, 2)}
+        );
     EXPECT_THROW(DiskCut{two}, NumericalFailure);
 }

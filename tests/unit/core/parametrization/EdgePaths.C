@@ -62,7 +62,7 @@ TEST(EdgePaths, LookFurtherThanTheNearestPoint)
 TEST(EdgePaths, DoNotLeadToOtherComponents)
 {
     const PlainSurface two =
-        together({sphere(point(0, 0, 0), 1, 1), sphere(point(9, 0, 0), 1, 1)});
+        inOneScene({sphere(point(0, 0, 0), 1, 1), sphere(point(9, 0, 0), 1, 1)});
     const SurfaceTopology topology(two.points.size(), two.triangles);
     const EdgePaths paths(two.points, topology, labelList(1, 0));
     const label last = two.points.size() - 1;

@@ -183,7 +183,7 @@ TEST(Parametrization, OfManyDropletsIsInjective)
         drops.push_back(sphere(centre, 0.3 + 0.01 * (i % 13), i % 11 == 0 ? 2 : 0));
     }
     const ParametrizationResult result =
-        parametrize(asInterface(together(drops), 1), ParametrizationOptions());
+        parametrize(asInterface(inOneScene(drops), 1), ParametrizationOptions());
     EXPECT_EQ(result.nCharts, 1500);
     expectComplete(result);
     expectInjective(result);
@@ -246,8 +246,9 @@ TEST(Parametrization, LeavesOutWhatCannotBeFlattened)
         p = point(1, 2, 3);
     }
     const PlainSurface cap = hemisphere(point(0, 0, 0), 1, 3);
-    const ParametrizationResult result =
-        parametrize(asInterface(together({flat, cap}), 0.2), ParametrizationOptions());
+    const ParametrizationResult result = parametrize(
+        asInterface(inOneScene({flat, cap}), 0.2), ParametrizationOptions()
+    );
     EXPECT_EQ(result.nCharts, 1);
     EXPECT_EQ(result.nFallbacks, 1);
     EXPECT_FALSE(result.surface.mesh.parametrized(0));

@@ -64,7 +64,7 @@ struct Part
         SurfacePiece piece;
         if (!surfaces.empty())
         {
-            piece.mesh = asInterface(together(surfaces), cellSize);
+            piece.mesh = asInterface(inOneScene(surfaces), cellSize);
         }
         piece.keys = keys;
         return piece;
@@ -126,7 +126,7 @@ Triangles trianglesOf(const std::vector<ParametrizationResult>& results)
 TEST(ParametrizationOverRanks, IsTheSameWhateverIsWhere)
 {
     const ParametrizationResult whole = parametrize(
-        asInterface(together(components()), cellSize), ParametrizationOptions()
+        asInterface(inOneScene(components()), cellSize), ParametrizationOptions()
     );
     ASSERT_EQ(whole.nCharts, 7);
     ASSERT_EQ(whole.nFallbacks, 1);

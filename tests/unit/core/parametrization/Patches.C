@@ -34,7 +34,7 @@ TEST(Patches, AreComponentsInOrder)
 {
     const PlainSurface drop = sphere(point(9, 0, 0), 0.1, 1);
     const PlainSurface sheet = hemisphere(point(0, 0, 0), 1, 2);
-    const InterfaceMesh mesh = asInterface(together({drop, sheet, drop}), 0.1);
+    const InterfaceMesh mesh = asInterface(inOneScene({drop, sheet, drop}), 0.1);
     const List<Patch> patches = patchesOf(mesh);
     ASSERT_EQ(patches.size(), 3);
     EXPECT_EQ(patches[0].surface.triangles.size(), drop.triangles.size());

@@ -49,7 +49,7 @@ std::shared_ptr<FlowSnapshot> wholeBall()
     mesh.globalCells = identity(mesh.nCells);
     mesh.globalPoints = identity(mesh.points.size());
     mesh.globalBoundaryFaces = identity(mesh.kinds.size());
-    mesh.behind = labelList(mesh.kinds.size(), -1);
+    mesh.cellBehind = labelList(mesh.kinds.size(), -1);
     const auto complex = std::make_shared<const CellComplex>(mesh);
     return std::make_shared<FlowSnapshot>(shapes::snapshotOf(
         complex, shapes::exactAlpha(*complex, shapes::sphere(point(9.7, 5.9, 3.2), 4.1))

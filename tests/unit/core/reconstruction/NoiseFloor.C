@@ -124,15 +124,15 @@ TEST(NoiseFloor, quantilesAreThoseOfAllRanks)
             [&](const Exchange& exchange)
             {
                 DynamicList<scalar> values;
-                DynamicList<bool> counted;
+                DynamicList<bool> isPrimary;
                 for (label i = 1; i <= 2000; ++i)
                 {
                     const bool mine = (i / 7) % n == exchange.rank();
                     values.append(mine ? i : 10000);
-                    counted.append(mine);
+                    isPrimary.append(mine);
                 }
                 found[exchange.rank()] =
-                    noiseQuantile(scalarField(values), counted, exchange);
+                    noiseQuantile(scalarField(values), isPrimary, exchange);
             }
         );
         EXPECT_EQ(found, scalarField(n, 1998));

@@ -357,9 +357,9 @@ TEST(Reconstruction, threeMaterialsAreRefused)
     FlowSnapshot snapshot = shapes::snapshotOf(complex, scalarField(8, 0.3));
     snapshot.alphas = List<scalarField>(3, snapshot.alphas[0]);
     snapshot.boundaryAlphas = List<scalarField>(3, snapshot.boundaryAlphas[0]);
-    for (const std::string& method : Reconstruction::names())
+    for (const ReconstructionMethod& method : reconstructionMethods())
     {
-        EXPECT_THROW(smoothed(snapshot, method), BadInput);
+        EXPECT_THROW(smoothed(snapshot, method.name), BadInput);
     }
 }
 

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 using namespace Foam;
 using namespace Foam::stability;
 
@@ -50,11 +52,21 @@ TEST(MethodScore, leavesOutTimesThatCompareNothing)
     score.add(empty);
     EXPECT_EQ(score.nTimes(), 0);
     score.add(allAt(0.05));
-    const std::vector<scalar> values = score.values();
-    ASSERT_EQ(values.size(), MethodScore::columns().size());
-    EXPECT_EQ(values[0], 1);
-    EXPECT_NEAR(values[2], 1, 1e-14);
-    EXPECT_NEAR(values[5], 0.1, 1e-14);
+    std::map<std::string, scalar> values;
+    for (const TableColumn<MethodScore>& column : methodTable().columns)
+    {
+        if (!column.text)
+        {
+            values[column.name] = column.value(score);
+        }
+    }
+    EXPECT_EQ(methodTable().columns[0].text(score), "a");
+    EXPECT_EQ(values.size() + 1, methodTable().columns.size());
+    EXPECT_EQ(values.at("times"), 1);
+    EXPECT_NEAR(values.at("stableFraction"), 1, 1e-14);
+    EXPECT_NEAR(values.at("volumeError"), 0.1, 1e-14);
+    EXPECT_NEAR(values.at("attached(0.05)"), 1, 1e-14);
+    EXPECT_EQ(values.at("attached(0.1)"), 0);
 }
 
 TEST(MethodScore, theNearestIsMostConsistent)

@@ -55,7 +55,7 @@ Classification seamed()
             mesh.corners[i][k] = corners[i][k];
         }
     }
-    mesh.origins = mesh.points * 2.0;
+    mesh.setOrigins(mesh.points * 2.0);
     mesh.cells = labelList(6, 0);
     mesh.cellSizes = scalarField(6, 0.3);
     mesh.cellSizes[4] = 0.7;

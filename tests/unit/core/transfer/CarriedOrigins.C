@@ -42,7 +42,7 @@ InterfaceMesh sheet(scalar bend, const vector2D& shift)
         [](label r, const point& x)
         { return vector2D(0.1 * x.x() + 0.3 * r, 0.1 * x.y() + 0.2); }
     );
-    mesh.origins = mesh.points;
+    mesh.setOrigins(mesh.points);
     for (point& x : mesh.points)
     {
         x += vector(shift.x(), shift.y(), 0);
@@ -168,7 +168,7 @@ TEST(CarriedOrigins, areNotCarriedFarBeyondATriangle)
     T.clearParametrization();
     T.parameters = List<vector2D>{vector2D(0, 0), vector2D(1, 0), vector2D(0.5, 0.1)};
     T.corners[0] = CornerIndices{0, 1, 2};
-    T.origins = T.points;
+    T.setOrigins(T.points);
     T.origins[2].z() = 1e-3;
     const MatchTarget target(T, MatchingOptions());
     const StartChart none;

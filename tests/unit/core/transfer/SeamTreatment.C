@@ -179,6 +179,28 @@ label halves(const point& x)
     return x.x() < 0.25 ? 0 : 1;
 }
 
+// The surface came from two places: the origins of region 1 are shifted [m].
+template<class RegionOf>
+void comeFromElsewhere(
+    InterfaceMesh& mesh, const RegionOf& regionOf, const vector& shift
+)
+{
+    std::map<label, label> indices;
+    forAll(mesh.triangles, trianglei)
+    {
+        for (label k = 0; k < 3 && regionOf(mesh.centre(trianglei)) == 1; ++k)
+        {
+            const label pointi = mesh.triangles[trianglei][k];
+            const auto known = indices.insert({pointi, mesh.origins.size()});
+            if (known.second)
+            {
+                mesh.origins.append(mesh.points[pointi] + shift);
+            }
+            mesh.originCorners[trianglei][k] = known.first->second;
+        }
+    }
+}
+
 } // namespace
 
 TEST(SeamTreatment, oneSeamCutsAtItsPlace)
@@ -585,4 +607,29 @@ TEST(SeamTreatment, doesNotDependOnThreads)
     EXPECT_EQ(one.mesh.corners, four.mesh.corners);
     EXPECT_EQ(one.mesh.parameters, four.mesh.parameters);
     EXPECT_EQ(one.mesh.origins, four.mesh.origins);
+}
+
+// At a merger p and the origin jump together, so no triangle lies between two places.
+TEST(SeamTreatment, aMergerHasAnOriginOnEachSide)
+{
+    const auto halves = [](const point& x) { return x.x() > 0 ? 1 : 0; };
+    const vector shift(0.3, 10, -4);
+    InterfaceMesh from = chartedSquare(halves);
+    comeFromElsewhere(from, halves, shift);
+    const InterfaceMesh to = jittered(13, 7);
+    const Treated t = carry(from, to);
+
+    EXPECT_GT(t.mesh.origins.size(), t.mesh.points.size() + 10);
+    forAll(t.mesh.triangles, trianglei)
+    {
+        const label region = halves(t.mesh.centre(trianglei));
+        for (label k = 0; k < 3; ++k)
+        {
+            point x = t.mesh.points[t.mesh.triangles[trianglei][k]];
+            x.z() = 0; // T lies there
+            EXPECT_LT(
+                mag(t.mesh.origin(trianglei, k) - (x + region * shift)), 1e-3 * h
+            );
+        }
+    }
 }

@@ -99,13 +99,14 @@ TEST(StartChart, leavesWhatIsAnotherPlaceAlone)
 {
     const StartChart chart(cylinder(40, 0));
     InterfaceMesh mesh = cylinder(37, 0.05);
-    mesh.origins = point(0.2, -0.1, 7); // attached: where it appeared
+    mesh.setOrigins(pointField(mesh.points.size(), point(0.2, -0.1, 7))
+    ); // attached: where it appeared
     const InterfaceMesh given(mesh);
     chart.readOff(mesh);
     EXPECT_EQ(mesh.parameters, given.parameters);
     EXPECT_EQ(mesh.origins, given.origins);
 
-    mesh.origins = mesh.points;
+    mesh.setOrigins(mesh.points);
     for (vector2D& p : mesh.parameters)
     {
         p.y() += 0.7 * cellSize / 8; // merged with something from elsewhere
@@ -175,7 +176,7 @@ TEST(StartChart, staysInTheUnitSquare)
     };
     const StartChart chart(atTheEdge(40, 0));
     InterfaceMesh mesh = atTheEdge(37, 0.05);
-    mesh.origins = mesh.points;
+    mesh.setOrigins(mesh.points);
     EXPECT_LT(
         std::min_element(
             mesh.parameters.begin(), mesh.parameters.end(),

@@ -44,7 +44,7 @@ InterfaceMesh freshMesh(scalar h)
 {
     InterfaceMesh mesh =
         flatSheet(vector2D(-0.83, -0.71), vector2D(1.77, 1.31), 11, 7, 0, h);
-    mesh.origins = point(-77, -77, -77);
+    mesh.setOrigins(pointField(mesh.points.size(), point(-77, -77, -77)));
     return mesh;
 }
 
@@ -224,6 +224,7 @@ TEST(Transfer, mergersAreCountedAndUntrackedOnDemand)
         from.triangles.append(t);
         from.corners.append(CornerIndices(-1));
     }
+    from.setOrigins(pointField(from.origins));
 
     const InterfaceMesh m = freshMesh(h);
     for (const Merge merge : {Merge::nearest, Merge::untracked})

@@ -6,7 +6,7 @@
 #include "core/surface/pieces/Components.H"
 #include "core/surface/pieces/PointNumbers.H"
 #include "core/transfer/SeamShape.H"
-#include "core/transfer/SpreadChart.H"
+#include "core/transfer/DistributedChart.H"
 #include "shapes/Surfaces.H"
 #include "shapes/ThreadRanks.H"
 
@@ -56,7 +56,7 @@ InterfaceMesh scene()
     mesh.cells = identity(mesh.points.size());
     mesh.boundaryFaces.setSize(mesh.points.size(), -1);
     mesh.clearParametrization();
-    mesh.origins = mesh.points;
+    mesh.setOrigins(mesh.points);
     DynamicList<vector2D> parameters;
     forAll(mesh.triangles, trianglei)
     {
@@ -130,7 +130,9 @@ List<bool> whichMeet(const VoxelMask& region, const InterfaceMesh& mesh)
 }
 
 // Assertions of threads one after the other.
-void onAll(label nRanks, const std::function<void(const Exchange&, std::mutex&)>& work)
+void onEachCount(
+    label nRanks, const std::function<void(const Exchange&, std::mutex&)>& work
+)
 {
     std::mutex turn;
     shapes::onRanks(nRanks, [&](const Exchange& exchange) { work(exchange, turn); });
@@ -180,7 +182,7 @@ TEST(SurfacePieces, partsJoinToTheWhole)
 TEST(SurfacePieces, whatIsNotJoinedStaysApart)
 {
     SurfacePiece whole(wholeScene());
-    whole.joined = false;
+    whole.sharesPoints = false;
     DynamicList<label> halves[2];
     forAll(whole.mesh.triangles, trianglei)
     {
@@ -198,9 +200,9 @@ TEST(SurfacePieces, pointsAreNumberedAlikeOnAllRanks)
     const SurfacePiece whole(wholeScene());
     for (const label nRanks : rankCounts)
     {
-        std::map<label, point> seeds;
+        std::map<label, point> startPositions;
         label nPoints = 0;
-        onAll(
+        onEachCount(
             nRanks,
             [&](const Exchange& exchange, std::mutex& turn)
             {
@@ -210,15 +212,17 @@ TEST(SurfacePieces, pointsAreNumberedAlikeOnAllRanks)
                 nPoints += numbers.size();
                 forAll(numbers, i)
                 {
-                    const auto at = seeds.insert({numbers[i], piece.seeds[i]}).first;
-                    EXPECT_EQ(at->second, piece.seeds[i]);
+                    const auto at =
+                        startPositions.insert({numbers[i], piece.startPositions[i]})
+                            .first;
+                    EXPECT_EQ(at->second, piece.startPositions[i]);
                 }
             }
         );
-        EXPECT_EQ(label(seeds.size()), whole.seeds.size());
-        EXPECT_EQ(seeds.begin()->first, 0);
-        EXPECT_EQ(seeds.rbegin()->first, whole.seeds.size() - 1);
-        EXPECT_GE(nPoints, whole.seeds.size() + (nRanks > 1 ? 20 : 0));
+        EXPECT_EQ(label(startPositions.size()), whole.startPositions.size());
+        EXPECT_EQ(startPositions.begin()->first, 0);
+        EXPECT_EQ(startPositions.rbegin()->first, whole.startPositions.size() - 1);
+        EXPECT_GE(nPoints, whole.startPositions.size() + (nRanks > 1 ? 20 : 0));
     }
 }
 
@@ -226,13 +230,13 @@ TEST(SurfacePieces, pointsAreNumberedAlikeOnAllRanks)
 TEST(SurfacePieces, pointsOfSurfacesThatAreNotJoinedAllHaveNumbersOfTheirOwn)
 {
     std::set<label> found;
-    onAll(
+    onEachCount(
         3,
         [&](const Exchange& exchange, std::mutex& turn)
         {
             SurfaceOrder order;
-            order.joined = false;
-            order.seeds = pointField(4 - exchange.rank(), point(1, 2, 3));
+            order.sharesPoints = false;
+            order.startPositions = pointField(4 - exchange.rank(), point(1, 2, 3));
             const labelList numbers(pointNumbers(order, exchange));
             const std::lock_guard<std::mutex> lock(turn);
             found.insert(numbers.begin(), numbers.end());
@@ -274,14 +278,14 @@ TEST(SurfaceHalo, hasAllThatMeetsTheVoxelsAndKnowsWhatIsOwn)
     for (const label nRanks : rankCounts)
     {
         label nCounted = 0, nOwn = 0;
-        onAll(
+        onEachCount(
             nRanks,
             [&](const Exchange& exchange, std::mutex& turn)
             {
-                const SurfacePiece held(share(whole, exchange));
-                const VoxelMask wanted(around(held, 0.25));
-                const SurfaceHalo halo(held, wanted, exchange);
-                labelList numbers(held.mesh.triangles.size());
+                const SurfacePiece owned(share(whole, exchange));
+                const VoxelMask wanted(around(owned, 0.25));
+                const SurfaceHalo halo(owned, wanted, exchange);
+                labelList numbers(owned.mesh.triangles.size());
                 forAll(numbers, i)
                 {
                     numbers[i] = 100000 * exchange.rank() + i;
@@ -307,14 +311,14 @@ TEST(SurfaceHalo, hasAllThatMeetsTheVoxelsAndKnowsWhatIsOwn)
                     }
                 }
                 EXPECT_EQ(label(next), halo.piece().keys.size());
-                const List<bool> counted(halo.counted());
-                nCounted += std::count(counted.begin(), counted.end(), true);
-                nOwn += held.mesh.triangles.size();
+                const List<bool> isPrimary(halo.primaryPoints());
+                nCounted += std::count(isPrimary.begin(), isPrimary.end(), true);
+                nOwn += owned.mesh.triangles.size();
                 // There and back.
                 EXPECT_TRUE(
-                    halo.ofHeld(halo.onPiece(held.mesh.cells)) == held.mesh.cells
+                    halo.toOwned(halo.toHalo(owned.mesh.cells)) == owned.mesh.cells
                 );
-                EXPECT_TRUE(halo.ofHeld(halo.mesh().cells) == held.mesh.cells);
+                EXPECT_TRUE(halo.toOwned(halo.mesh().cells) == owned.mesh.cells);
             }
         );
         EXPECT_EQ(nCounted, whole.mesh.points.size());
@@ -339,23 +343,23 @@ TEST(Components, areNumberedAndWholeAcrossRanks)
     for (const label nRanks : rankCounts)
     {
         label nWhole = 0;
-        onAll(
+        onEachCount(
             nRanks,
             [&](const Exchange& exchange, std::mutex& turn)
             {
-                const SurfacePiece held(share(whole, exchange));
-                const SurfaceHalo halo(held, around(held, 0.2), exchange);
+                const SurfacePiece owned(share(whole, exchange));
+                const SurfaceHalo halo(owned, around(owned, 0.2), exchange);
                 const Components components(halo, point(1, 2, 3), exchange);
-                const List<bool> all(held.mesh.triangles.size(), true);
+                const List<bool> all(owned.mesh.triangles.size(), true);
                 const WholeComponents here(
-                    wholeComponents(held, components, all, exchange)
+                    wholeComponents(owned, components, all, exchange)
                 );
-                const labelList numbers(components.ofHeldTriangles());
+                const labelList numbers(components.ofOwnedTriangles());
 
                 const std::lock_guard<std::mutex> lock(turn);
                 forAll(numbers, i)
                 {
-                    const label component = expected(held.mesh.centre(i));
+                    const label component = expected(owned.mesh.centre(i));
                     EXPECT_EQ(numbers[i], component);
                     const Components::Body& body = components.bodyOf(i);
                     EXPECT_EQ(body.closed, component != 2);
@@ -402,12 +406,12 @@ TEST(SeamShape, isThatOfTheWholeOnAnyNumberOfRanks)
     for (const label nRanks : rankCounts)
     {
         std::vector<point> found;
-        onAll(
+        onEachCount(
             nRanks,
             [&](const Exchange& exchange, std::mutex& turn)
             {
-                const SurfacePiece held(share(whole, exchange));
-                const SurfaceHalo halo(held, around(held, 0.2), exchange);
+                const SurfacePiece owned(share(whole, exchange));
+                const SurfaceHalo halo(owned, around(owned, 0.2), exchange);
                 const SeamShape shape(seamShape(
                     halo.piece(),
                     SurfaceTopology(halo.mesh().points.size(), halo.mesh().triangles),
@@ -435,10 +439,10 @@ TEST(SeamShape, isThatOfTheWholeOnAnyNumberOfRanks)
 }
 
 // The chart of one rank is dealt out, and says the same to all.
-TEST(SpreadChart, readsTheSameOnAnyNumberOfRanks)
+TEST(DistributedChart, readsTheSameOnAnyNumberOfRanks)
 {
     SurfacePiece whole(wholeScene());
-    whole.joined = false;
+    whole.sharesPoints = false;
     const label n = whole.mesh.points.size();
     // What asks: a copy a little aside, p rough.
     InterfaceMesh asking(whole.mesh);
@@ -458,12 +462,12 @@ TEST(SpreadChart, readsTheSameOnAnyNumberOfRanks)
         {
             mesh.firstCells.append(ranki * n / nRanks);
         }
-        onAll(
+        onEachCount(
             nRanks,
             [&](const Exchange& exchange, std::mutex& turn)
             {
                 const labelList none;
-                const SpreadChart chart(
+                const DistributedChart chart(
                     exchange.rank() == nRanks - 1 ? whole : partOf(whole, none), mesh,
                     exchange
                 );

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of interfaceStability, an extension of OpenFOAM.
 
-#include "core/transfer/SpreadChart.H"
+#include "core/transfer/DistributedChart.H"
 
 #include "core/ranks/ExactSum.H"
 #include "core/surface/pieces/Redistribution.H"
@@ -17,13 +17,13 @@ namespace
 
 // Each triangle to the rank of the cell that its first point lies in.
 SurfacePiece
-dealtOut(SurfacePiece piece, const WholeMesh& whole, const Exchange& exchange)
+distribute(SurfacePiece piece, const WholeMesh& whole, const Exchange& exchange)
 {
     // Until now every point is on one rank; seams have one on each side.
-    piece.joined = true;
-    forAll(piece.seeds, pointi)
+    piece.sharesPoints = true;
+    forAll(piece.startPositions, pointi)
     {
-        piece.seeds[pointi] = point(exchange.rank(), pointi, 0);
+        piece.startPositions[pointi] = point(exchange.rank(), pointi, 0);
     }
     std::vector<DynamicList<label>> triangles(exchange.nRanks());
     forAll(piece.mesh.triangles, trianglei)
@@ -36,7 +36,7 @@ dealtOut(SurfacePiece piece, const WholeMesh& whole, const Exchange& exchange)
 
 } // namespace
 
-SpreadChart::SpreadChart(
+DistributedChart::DistributedChart(
     const SurfacePiece& flattened, const WholeMesh& whole, const Exchange& exchange
 )
     : empty_(false)
@@ -76,11 +76,11 @@ SpreadChart::SpreadChart(
     }
     else
     {
-        held_ = dealtOut(flattened, whole, exchange);
+        owned_ = distribute(flattened, whole, exchange);
     }
 }
 
-StartChart SpreadChart::around(
+StartChart DistributedChart::around(
     const InterfaceMesh& timeSurface, const pointField& unmatched,
     const Exchange& exchange
 ) const
@@ -98,16 +98,17 @@ StartChart SpreadChart::around(
     {
         if (timeSurface.parametrized(trianglei))
         {
-            const triFace& t = timeSurface.triangles[trianglei];
-            const pointField& o = timeSurface.origins;
-            wanted.add(o[t[0]], o[t[1]], o[t[2]], reach, bounds);
+            wanted.add(
+                timeSurface.origin(trianglei, 0), timeSurface.origin(trianglei, 1),
+                timeSurface.origin(trianglei, 2), reach, bounds
+            );
         }
     }
     for (const point& x : unmatched)
     {
         wanted.add(x, reach);
     }
-    const SurfaceHalo halo(held_, wanted, exchange);
+    const SurfaceHalo halo(owned_, wanted, exchange);
     return StartChart(halo.mesh(), meanCellSize_, ends_);
 }
 
