@@ -51,7 +51,7 @@ vtkSmartPointer<vtkPoints> vtkPointsOf(const pointField& points)
 vtkSmartPointer<vtkCellArray> polygons(const List<triFace>& triangles)
 {
     auto result = vtkSmartPointer<vtkCellArray>::New();
-    result->AllocateExact(triangles.size(), 3 * triangles.size());
+    result->AllocateExact(triangles.size(), 3 * vtkIdType(triangles.size()));
     for (const triFace& t : triangles)
     {
         result->InsertNextCell({vtkIdType(t[0]), vtkIdType(t[1]), vtkIdType(t[2])});

@@ -155,6 +155,7 @@ std::vector<scalar> weightedQuantiles(
     sum(sums, exchange);
     const scalar total = sums[0].value();
     std::vector<Search> searches;
+    searches.reserve(fractions.size());
     for (const scalar fraction : fractions)
     {
         searches.emplace_back(entries, fraction * total);
@@ -178,6 +179,7 @@ std::vector<scalar> weightedQuantiles(
         }
     }
     std::vector<scalar> result;
+    result.reserve(searches.size());
     for (const Search& search : searches)
     {
         result.push_back(search.found());

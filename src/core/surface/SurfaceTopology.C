@@ -50,7 +50,7 @@ SurfaceTopology::SurfaceTopology(label nPoints, const UList<triFace>& triangles)
     : triangleEdges_(triangles.size()), components_(triangles.size(), -1)
 {
     std::vector<Side> sides;
-    sides.reserve(3 * triangles.size());
+    sides.reserve(3 * std::size_t(triangles.size()));
     forAll(triangles, trianglei)
     {
         for (label k = 0; k < 3; ++k)

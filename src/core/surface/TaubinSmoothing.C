@@ -23,7 +23,7 @@ struct SortedEdge
 std::vector<SortedEdge> sortedEdges(const InterfaceMesh& mesh)
 {
     std::vector<std::pair<label, label>> all;
-    all.reserve(3 * mesh.triangles.size());
+    all.reserve(3 * std::size_t(mesh.triangles.size()));
     for (const triFace& t : mesh.triangles)
     {
         for (label k = 0; k < 3; ++k)

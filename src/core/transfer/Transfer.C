@@ -15,7 +15,7 @@ TransferResult transfer(
 {
     const CarriedOrigins origins(target, around.chart);
     SeamTreatment treatment(mesh, matches, target, origins, around, options);
-    const TransferResult result = treatment.run();
+    TransferResult result = treatment.run();
     treatment.carryOrigins();
     around.chart.readOff(mesh);
     return result;

@@ -58,7 +58,7 @@ std::string FaceFlux::shortcoming(const instantList& times) const
         {
             continue;
         }
-        const std::string complaint = phi_.complaint(time.name());
+        std::string complaint = phi_.complaint(time.name());
         if (!complaint.empty())
         {
             return complaint;

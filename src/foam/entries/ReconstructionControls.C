@@ -102,9 +102,9 @@ std::string readFiles(const dictionary& dict, const std::string& method)
     const entry* e = dict.findEntry("files", keyType::LITERAL);
     const bool one = e->isStream() && e->stream().size() == 1;
     const token& t = one ? e->stream()[0] : token::undefinedToken;
-    const std::string pattern = t.isString() ? std::string(t.stringToken())
-                                : t.isWord() ? std::string(t.wordToken())
-                                             : "";
+    std::string pattern = t.isString() ? std::string(t.stringToken())
+                          : t.isWord() ? std::string(t.wordToken())
+                                       : "";
     if (!SurfaceFiles::isPattern(pattern))
     {
         refuse(dict, "files", allowedText(entryRow("files", EntryType::string).value));

@@ -42,8 +42,9 @@ Usage
     same flow, with results in postProcessing/interfaceStability_\<name\>, and
     methods.dat in postProcessing/interfaceStability/\<startTime\> compares them.
 
-    On static meshes without cyclic, empty or wedge patches; in parallel with
-    -parallel, on a decomposed case.
+    On static meshes without empty or wedge patches; surfaces and pathlines go on
+    behind cyclic ones. In parallel with -parallel, on a decomposed case, but for
+    reconstruction fromFiles and volumeFit component.
 
 \*---------------------------------------------------------------------------*/
 

@@ -52,7 +52,7 @@ scalar volumeWithin(
     const pointField& points
 )
 {
-    const point apex = points[piece.points[0]];
+    const point& apex = points[piece.points[0]];
     scalar sum = 0;
     for (const label trianglei : piece.triangles)
     {

@@ -40,6 +40,7 @@ std::vector<RimPoint> rimOf(const SurfacePiece& piece, std::size_t part)
         }
     }
     std::vector<RimPoint> rim;
+    rim.reserve(points.size());
     for (const label pointi : points)
     {
         rim.push_back({part, pointi, piece.startPositions[pointi] & oblique});
