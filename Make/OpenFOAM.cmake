@@ -1,5 +1,4 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Part of interfaceStability, an extension of OpenFOAM.
 #
 # What the parts built by CMake need of the loaded OpenFOAM: the target OpenFOAM (its
 # base headers and library, with wmake's definitions) and our own warnings.

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/StabilityTracker.H"
 
@@ -50,7 +49,6 @@ void StabilityTracker::makeReconstructions()
     }
 }
 
-// Of the changes the last that has begun.
 std::size_t StabilityTracker::activeSettings() const
 {
     std::size_t i = settings_.size() - 1;
@@ -82,7 +80,7 @@ scalar StabilityTracker::time() const
     return latest_->time;
 }
 
-// Of a snapshot that is as it must be.
+// Checks the snapshot first.
 std::shared_ptr<const PointVelocity>
 StabilityTracker::velocityOf(const std::shared_ptr<const FlowSnapshot>& snapshot) const
 {
@@ -219,7 +217,7 @@ void StabilityTracker::startSurface(const SurfacePiece& interface)
     parametrized_ = true;
 }
 
-// Steps 4 and 5 of the method, and the particles that it sheds.
+// Step 4 of the method, and the particles of step 5.
 void StabilityTracker::compare(const Extracted& extracted)
 {
     enter(Phase::matching);
@@ -277,7 +275,7 @@ void StabilityTracker::computeStatistics(const Extracted& extracted)
     );
 }
 
-// Step 6: the interface is the seed of the next time surface.
+// Steps 6 and 2: the next time surface starts from the interface.
 void StabilityTracker::reseedTimeSurface(bool begins)
 {
     const ClassifiedSurface& interface = result_.interface;
@@ -308,7 +306,7 @@ void StabilityTracker::reseedTimeSurface(bool begins)
     }
 }
 
-// What noise leaves of the classes.
+// Confidence: how far each class is from being decided by noise.
 void StabilityTracker::computeConfidence()
 {
     for (ClassifiedSurface* surface : {&result_.interface, &result_.timeSurface})

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 // What pathlines cost: one evaluation of the velocity, and one interval of LeVeque's
 // field, on n^3 cells.

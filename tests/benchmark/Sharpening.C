@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 // What sharpening costs beside the extraction of alpha = 1/2: a sphere of exact
 // fractions on hexahedra, on tetrahedra and on their duals, R/h = 9.6. The second

@@ -1,5 +1,4 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Part of interfaceStability, an extension of OpenFOAM.
 """Which parts of the surfaces of the dam break are resolved, by its fields: a cell of
 water and one of air lie within 2.4 cells, and no wall within one."""
 

@@ -1,5 +1,4 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Part of interfaceStability, an extension of OpenFOAM.
 """Writes constant/parts<N> of a case for decomposePar's method manual: the cells nearest to
 each of N scattered points, so that parts meet at all angles and several at a point. The
 case holds binary cell centres in 0/C.

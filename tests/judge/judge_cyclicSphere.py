@@ -1,5 +1,4 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Part of interfaceStability, an extension of OpenFOAM.
 """Judges a run on a sphere that moves through cyclic patches.
 
 By the same bounds as judge_rotatingSphere.py, and by what both halves of a patch must

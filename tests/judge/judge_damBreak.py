@@ -1,5 +1,4 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Part of interfaceStability, an extension of OpenFOAM.
 """Judges runs on the dam break over an obstacle.
 
 walls:      the detached area of a run with `wallVelocity slip` against `noSlip`

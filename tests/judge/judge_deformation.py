@@ -1,5 +1,4 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Part of interfaceStability, an extension of OpenFOAM.
 """Judges a run on a sphere that LeVeque's flow deforms: how much of the time surface is
 how far from the interface, and how far the interface is from the truth.
 

@@ -1,5 +1,4 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Part of interfaceStability, an extension of OpenFOAM.
 """Judges how much of the time surface is called stable, and its drift speed, at every
 step of a run."""
 

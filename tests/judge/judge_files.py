@@ -1,5 +1,4 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Part of interfaceStability, an extension of OpenFOAM.
 """Judges the files of any run: their arrays, meshes, tables and histories.
 
 Everything is opened with VTK's reader; areas, edges and classes are counted again and

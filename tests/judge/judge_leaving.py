@@ -1,5 +1,4 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Part of interfaceStability, an extension of OpenFOAM.
 """Judges that a sphere which goes out of the domain leaves, and nothing comes back by it."""
 
 import sys

@@ -1,5 +1,4 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Part of interfaceStability, an extension of OpenFOAM.
 """Judges whether files in pieces hold, bit for bit, what the whole files hold.
 
     judge_pieces.py WHOLE PIECES

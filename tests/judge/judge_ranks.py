@@ -1,5 +1,4 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Part of interfaceStability, an extension of OpenFOAM.
 """Judges whether a run on several ranks gave what the serial run gave.
 
     judge_ranks.py SERIAL PARALLEL

@@ -1,5 +1,4 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Part of interfaceStability, an extension of OpenFOAM.
 """Judges a run on the rotating sphere by the motion that was planted in its data.
 
 What the run wrote is compared with the rigid rotation: the material point of a vertex

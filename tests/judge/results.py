@@ -1,5 +1,4 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Part of interfaceStability, an extension of OpenFOAM.
 """What a run wrote, read back with VTK's own reader and nothing of the project."""
 
 import json

@@ -1,5 +1,4 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Part of interfaceStability, an extension of OpenFOAM.
 """Says where two runs differ that must not; nothing if they are the same.
 
     sameClasses.py BEFORE AFTER [--tables RELATIVE]

@@ -1,5 +1,4 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Part of interfaceStability, an extension of OpenFOAM.
 """checkFiles.py FOLDER GENERATOR: what the writer made, read back through VTK."""
 import pathlib
 import sys

@@ -1,5 +1,4 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Part of interfaceStability, an extension of OpenFOAM.
 """checkPictures.py RESULTS OPAQUE HALF DEFAULT BARE
 
 Compares regions of the pictures with what geometry, texture and light predict. Folders

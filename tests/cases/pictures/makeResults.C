@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 // makeResults LIBRARY FOLDER
 //   Writes a result folder of known content through the writer in LIBRARY: a sphere

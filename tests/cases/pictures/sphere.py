@@ -1,5 +1,4 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Part of interfaceStability, an extension of OpenFOAM.
 """The sphere of makeResults.C, told a second time: what files and pictures must show."""
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 // What a pathline gains where every step of a solver is integrated, rather than the
 // stored times alone: velocities are interpolated linearly between snapshots. Prints

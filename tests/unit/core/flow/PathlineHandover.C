@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 // A pathline that is handed over between pieces of a mesh, also within a step, ends
 // where it ends on the whole mesh, to the last bit.

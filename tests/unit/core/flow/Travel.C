@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 // Pathlines that leave through a cyclic patch go on behind the other half of it, and
 // remember where they would be without it.

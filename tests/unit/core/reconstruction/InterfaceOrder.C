@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 // What a piece of a mesh extracts in its own cells is what the whole has there, to the
 // last bit, with enough rings of cells around them.

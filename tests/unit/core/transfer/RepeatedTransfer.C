@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 // Forty transfers from one triangulation to the next: what decays in silence when
 // seams are not treated (algorithms 0.12), judged by the planted chart.

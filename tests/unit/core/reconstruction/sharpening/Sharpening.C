@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 // Points of alpha = 1/2 moved onto what exact fractions describe (algorithms 1.4).
 

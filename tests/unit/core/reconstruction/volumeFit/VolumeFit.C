@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 // Closed components with the volume of their alpha. The truth is the sum of alpha V of
 // the shape by itself.
