@@ -8,8 +8,7 @@ namespace Foam::stability
 namespace
 {
 
-// Per triangle the indices of values of corners, those of a point that are equal made
-// one.
+// The indices of the values of corners, with one index for equal values at a point.
 template<class Values>
 List<CornerIndices> weldCorners(
     const List<triFace>& triangles, const List<CornerIndices>& corners,

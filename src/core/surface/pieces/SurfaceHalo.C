@@ -127,7 +127,7 @@ std::vector<Packet> SurfaceHalo::answer(
     return answers;
 }
 
-// Per rank what it asks this one for.
+// Sends requests to the other ranks; returns those of each rank to this one.
 std::vector<std::vector<SurfaceHalo::Question>> SurfaceHalo::askFor(
     const boundBox& owned, const VoxelMask& wanted, const PeriodicImages* images
 ) const
