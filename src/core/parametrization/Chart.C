@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/parametrization/Chart.H"
 
@@ -82,7 +81,7 @@ List<vector2D> tryFlattening(const Flattening& method, const PlainSurface& disk)
     return List<vector2D>();
 }
 
-// Only for the first chart, or one worth the effort.
+// Adopts the first chart, and later ones with less than half the areaRatio.
 bool adopt(
     Chart& best, scalar areaRatio, List<vector2D>&& parameters,
     const List<CornerIndices>& corners
@@ -177,7 +176,7 @@ bool considerUncut(Chart& best, const PlainSurface& surface, const Flattening& m
     return adopt(best, ratio, std::move(parameters), corners);
 }
 
-// Where the next cut should lead: as far from the present boundary as possible.
+// The vertex farthest from the present boundary, to which the next cut leads.
 label innermost(const PlainSurface& disk)
 {
     const label nPoints = disk.points.size();

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/parametrization/Parametrization.H"
 
@@ -51,7 +50,8 @@ void sizeLists(
     surface.parameters.setSize(nParameters);
 }
 
-// What the points of a copy have in common with the interface near them.
+// Copies cells, cell sizes and boundary faces from the interface to the points of a
+// copy.
 void addPoints(
     const InterfaceMesh& mesh, const Patch& patch, const RemeshingResult& copy,
     label start, InterfaceMesh& surface
@@ -150,7 +150,7 @@ Piece flattened(
     return piece;
 }
 
-// A chart as the rank that packs them sees it, and what it says of it.
+// A chart as it is sent to the master, and the place that the master returns.
 struct ChartBox
 {
     TriangleKey lowest;
@@ -163,7 +163,7 @@ struct ChartPlace
     vector2D corner;
 };
 
-// On the master: per rank the places of its charts, and the scale of all.
+// Places the charts of all ranks, on the master; returns their common scale.
 scalar placeAll(
     const std::vector<List<ChartBox>>& boxes,
     std::vector<DynamicList<ChartPlace>>& places
@@ -198,8 +198,8 @@ scalar placeAll(
     return packing.placed ? packing.scale : 0;
 }
 
-// Moves the charts to their places among those of all ranks; the scale, 0 where there
-// is nothing to scale.
+// Moves the charts to their places among those of all ranks. Returns the scale, 0 if
+// there is nothing to scale.
 scalar packPieces(
     const SurfacePiece& interface, const List<Patch>& patches, List<Piece>& pieces,
     const Exchange& exchange
@@ -238,7 +238,7 @@ ParametrizationResult parametrize(
     const Exchange& exchange
 )
 {
-    // Alike on all ranks, also on those without components, and the user's fault.
+    // An unknown method fails on all ranks, also on those without components.
     const std::unique_ptr<Flattening> method = Flattening::New(options.flattening);
     ParametrizationResult result;
     List<Patch> patches;

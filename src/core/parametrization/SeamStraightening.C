@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/parametrization/SeamStraightening.H"
 
@@ -17,7 +16,8 @@ constexpr label nPasses = 20;
 constexpr scalar leastStep = 0.125;
 constexpr scalar leastArea = 0.25; // of what the triangle had
 
-// May the triangles around have the point at its new place?
+// True where no triangle around the point is flipped or shrunk too much at the new
+// place.
 bool admits(
     const PlainSurface& surface, const pointField& given, const UList<label>& around,
     label pointi, const point& place

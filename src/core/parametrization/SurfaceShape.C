@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/parametrization/SurfaceShape.H"
 
@@ -12,8 +11,8 @@ namespace Foam::stability
 namespace
 {
 
-// Per point the next one along the boundary, -1 inside; false where a point has
-// several.
+// Finds the next point along the boundary for each point, -1 inside. Returns false if a
+// point has several.
 bool boundarySuccessors(
     const SurfaceTopology& topology, const UList<triFace>& triangles, labelList& next
 )

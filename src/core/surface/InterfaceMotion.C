@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/surface/InterfaceMotion.H"
 #include "core/surface/TaubinSmoothing.H"
@@ -25,8 +24,9 @@ void addNew(const UList<label>& values, DynamicList<label>& list)
     }
 }
 
-// Points keep half their distance to the walls around their cell. One that lies on a
-// wall already is moved less far, so that it stays there.
+// Shortens the move so that it covers at most half the distance to each of these
+// boundary faces. The move of a point on the boundary is scaled as a whole, so that it
+// stays there.
 void keepInside(
     const CellComplex& complex, const UList<label>& walls, const point& x, bool onWall,
     vector& move
@@ -53,7 +53,7 @@ void keepInside(
     }
 }
 
-// Which of these faces of the boundary x lies on; -1 where it is on none of them.
+// The first of these boundary faces that x lies on; -1 if it lies on none.
 label faceUnder(const CellComplex& complex, const UList<label>& walls, const point& x)
 {
     constexpr scalar roundOff = 1e-6; // of the width of the face

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/surface/SurfaceLocator.H"
 
@@ -24,7 +23,7 @@ SurfacePoint pointAt(
     return result;
 }
 
-// Where on the segment (a, b), as a share of it, lies the point closest to x?
+// The point of the segment (a, b) closest to x, as a share of the segment from a.
 scalar closestShare(const point& x, const point& a, const point& b)
 {
     const vector ab = b - a;

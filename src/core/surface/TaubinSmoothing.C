@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/surface/TaubinSmoothing.H"
 #include "core/base/Rows.H"
@@ -47,7 +46,8 @@ std::vector<SortedEdge> sortedEdges(const InterfaceMesh& mesh)
     return edges;
 }
 
-// Who draws whom, and along which plane: what does not change while points move.
+// The neighbours that draw each point and the plane in which it moves; both stay the
+// same while points move.
 class Umbrella
 {
 public:

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 // CGAL comes before OpenFOAM's headers, which make sqrt(double) ambiguous.
 #ifndef CGAL_EIGEN3_ENABLED

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/surface/pieces/Components.H"
 
@@ -71,7 +70,8 @@ labelList Components::ofOwnedTriangles() const
 namespace
 {
 
-// Of what goes through a cyclic patch no volume is known here: it is open.
+// A component that goes through a cyclic patch counts as open, since its volume is not
+// known here.
 bool closedAt(const SurfaceEdge& edge, const SurfaceHalo& halo)
 {
     return edge.nTriangles == 2 && halo.piece().keys[edge.triangles[0]].image == 0
@@ -162,7 +162,7 @@ List<Components::Contact> Components::contacts(
     const SurfaceHalo& halo, const SurfaceTopology& topology, const List<OnRank>& known
 ) const
 {
-    // Per edge with own and other triangles: each other part, once.
+    // The ghost triangles at each edge.
     std::vector<std::vector<label>> others(topology.edges().size());
     forAll(known, trianglei)
     {
@@ -197,7 +197,8 @@ List<Components::Contact> Components::contacts(
     return List<Contact>(std::move(result));
 }
 
-// The sums of the parts that are one; `places`: per root where its sum is.
+// Sums the parts of each whole component; `places` (in: all -1) gets the index of the
+// sum at each root.
 std::vector<Components::Whole> Components::sumUp(
     const std::vector<List<Part>>& parts, const labelList& starts, DisjointSets& sets,
     labelList& places
@@ -231,7 +232,8 @@ std::vector<Components::Whole> Components::sumUp(
     return wholes;
 }
 
-// On the master: which parts are one, and what that is.
+// Unites the parts that touch, on the master; returns a verdict for each part of each
+// rank.
 std::vector<List<Components::Verdict>> Components::judge(
     const std::vector<List<Part>>& parts, const std::vector<List<Contact>>& contacts
 )

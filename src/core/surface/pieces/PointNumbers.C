@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/surface/pieces/PointNumbers.H"
 
@@ -16,7 +15,7 @@ struct HashOfSeed
 {
     std::size_t operator()(const point& x) const
     {
-        const std::hash<scalar> hash; // of 0 and -0 it is the same
+        const std::hash<scalar> hash; // the same for 0 and -0
         std::size_t sum = hash(x.x());
         for (const scalar coordinate : {x.y(), x.z()})
         {
@@ -26,7 +25,7 @@ struct HashOfSeed
     }
 };
 
-// How many there are on the ranks before this one.
+// The sum of nHere over the ranks before this one.
 label before(label nHere, const Exchange& exchange)
 {
     Packet mine;
@@ -42,7 +41,7 @@ label before(label nHere, const Exchange& exchange)
 
 } // namespace
 
-// Each seed is numbered by the rank that its hash says.
+// The hash of a start position determines the rank that numbers it.
 labelList pointNumbers(const SurfaceOrder& piece, const Exchange& exchange)
 {
     const label n = piece.startPositions.size(), nRanks = exchange.nRanks();

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/surface/pieces/SurfaceColumns.H"
 
@@ -9,8 +8,7 @@ namespace Foam::stability
 namespace
 {
 
-// Per triangle the indices of values of corners, those of a point that are equal made
-// one.
+// The indices of the values of corners, with one index for equal values at a point.
 template<class Values>
 List<CornerIndices> weldCorners(
     const List<triFace>& triangles, const List<CornerIndices>& corners,

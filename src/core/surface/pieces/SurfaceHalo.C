@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/surface/pieces/SurfaceHalo.H"
 
@@ -128,7 +127,7 @@ std::vector<Packet> SurfaceHalo::answer(
     return answers;
 }
 
-// Per rank what it asks this one for.
+// Sends requests to the other ranks; returns those of each rank to this one.
 std::vector<std::vector<SurfaceHalo::Question>> SurfaceHalo::askFor(
     const boundBox& owned, const VoxelMask& wanted, const PeriodicImages* images
 ) const

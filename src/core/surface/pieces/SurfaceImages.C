@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/surface/pieces/SurfaceImages.H"
 
@@ -48,7 +47,7 @@ std::vector<RimPoint> rimOf(const SurfacePiece& piece, std::size_t part)
     return rim;
 }
 
-// Per point the indices of its values of corners.
+// The indices of the values at the corners around each point.
 std::vector<std::vector<label>>
 valuesAtPoints(const InterfaceMesh& mesh, const List<CornerIndices>& corners)
 {
@@ -83,7 +82,7 @@ public:
             origins_.push_back(valuesAtPoints(mesh, mesh.originCorners));
             order_.push_back(part);
         }
-        // What lies in its place first: so all ranks take over the same.
+        // Parts with lower images come first, so that all ranks take the same values.
         std::stable_sort(
             order_.begin(), order_.end(),
             [&](std::size_t a, std::size_t b) { return imageIn(a) < imageIn(b); }
@@ -120,7 +119,8 @@ private:
         return parts_[part].keys.empty() ? 0 : parts_[part].keys[0].image;
     }
 
-    // Of the earlier parts the first that has a point there.
+    // The point at the same place in the first of the earlier parts that have one
+    // there.
     const RimPoint* firstAt(const RimPoint& point) const
     {
         const SurfacePiece& piece = parts_[point.part];

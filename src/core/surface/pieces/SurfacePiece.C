@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/surface/pieces/SurfacePiece.H"
 
@@ -21,7 +20,7 @@ bool TriangleKey::operator<(const TriangleKey& k) const
 namespace
 {
 
-// Per point the first with the same seed.
+// The first point with the same start position, for each point.
 labelList weld(const UList<point>& startPositions)
 {
     labelList welded(identity(startPositions.size()));
