@@ -66,7 +66,7 @@ List permuted(const List& values, const labelList& order)
     return result;
 }
 
-// Where there are any.
+// Permutes a list that is not empty.
 template<class List>
 void permute(List& values, const labelList& order)
 {
@@ -85,7 +85,7 @@ labelList sortedBy(label n, const Before& before)
     return order;
 }
 
-// What points or cells are sorted by.
+// The keys by which points or cells are sorted.
 class Places
 {
 public:

@@ -123,7 +123,7 @@ public:
     }
 
 private:
-    // What is known of a face of one cell.
+    // A boundary face of one cell.
     struct Side
     {
         label celli;

@@ -29,7 +29,8 @@ scalar transgression(const CellComplex& complex, label celli, const point& x)
     return largest - tolerance;
 }
 
-// Does a face, triangles around its centre, pass within this distance of x?
+// True where a face, taken as triangles around its centre, passes x at this distance
+// [m] or less.
 bool passes(const CellComplex& complex, label facei, const point& x, scalar distance)
 {
     const pointField& points = complex.points();

@@ -145,7 +145,7 @@ point VelocityInterval::exitPoint(
         else
         {
             low = middle;
-            // What is in a cell of another rank is inside.
+            // A position in a cell of another rank is inside.
             current = location.where == Location::Where::elsewhere ? hint : current;
         }
     }
