@@ -14,7 +14,7 @@ namespace Foam::stability::shapes
 namespace
 {
 
-// Where the ranks lay out what they have for each other.
+// The memory through which the ranks exchange packets.
 class Board
 {
 public:
