@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "shapes/AnalyticFlows.H"
 
@@ -43,7 +42,7 @@ Flow riderKothe(scalar period)
 {
     return [period](const point& x, scalar time)
     {
-        // Of the stream function sin^2(pi x) sin^2(pi y) cos(pi t/T)/pi.
+        // The stream function is sin^2(pi x) sin^2(pi y) cos(pi t/T)/pi.
         const scalar g = std::cos(pi * time / period);
         return g
                * vector(

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "shapes/DeformedSphere.H"
 
@@ -53,7 +52,7 @@ struct Basis
     }
 
 private:
-    // Of the factors of polynomial i without one.
+    // The product of the factors of polynomial i, one left out.
     static scalar product(int i, int without, scalar x)
     {
         scalar result = 1;

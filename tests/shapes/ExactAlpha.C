@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "shapes/ExactAlpha.H"
 
@@ -24,7 +23,7 @@ scalar volumeOf(const Tet& t)
     return mag((t[1].x - t[0].x) & ((t[2].x - t[0].x) ^ (t[3].x - t[0].x))) / 6;
 }
 
-// Where the linear interpolant vanishes.
+// The point where the linear interpolant vanishes.
 point root(const Corner& a, const Corner& b)
 {
     return a.x + a.distance / (a.distance - b.distance) * (b.x - a.x);

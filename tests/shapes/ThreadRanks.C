@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "shapes/ThreadRanks.H"
 
@@ -15,7 +14,7 @@ namespace Foam::stability::shapes
 namespace
 {
 
-// Where the ranks lay out what they have for each other.
+// The memory through which the ranks exchange packets.
 class Board
 {
 public:

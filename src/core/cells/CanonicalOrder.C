@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/cells/CanonicalOrder.H"
 
@@ -67,7 +66,7 @@ List permuted(const List& values, const labelList& order)
     return result;
 }
 
-// Where there are any.
+// Permutes a list that is not empty.
 template<class List>
 void permute(List& values, const labelList& order)
 {
@@ -86,7 +85,7 @@ labelList sortedBy(label n, const Before& before)
     return order;
 }
 
-// What points or cells are sorted by.
+// The keys by which points or cells are sorted.
 class Places
 {
 public:

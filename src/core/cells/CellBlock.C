@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/cells/CellBlock.H"
 
@@ -124,7 +123,7 @@ public:
     }
 
 private:
-    // What is known of a face of one cell.
+    // A boundary face of one cell.
     struct Side
     {
         label celli;

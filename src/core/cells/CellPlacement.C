@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/cells/CellPlacement.H"
 #include "triPointRef.H"
@@ -30,7 +29,8 @@ scalar transgression(const CellComplex& complex, label celli, const point& x)
     return largest - tolerance;
 }
 
-// Does a face, triangles around its centre, pass within this distance of x?
+// True where a face, taken as triangles around its centre, passes x at this distance
+// [m] or less.
 bool passes(const CellComplex& complex, label facei, const point& x, scalar distance)
 {
     const pointField& points = complex.points();

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/cells/PeriodicImages.H"
 
@@ -78,7 +77,7 @@ label PeriodicImages::known(const RigidMotion& motion, label first) const
     return -1;
 }
 
-// Those of one factor more.
+// Appends the motions of one factor more.
 void PeriodicImages::findMore() const
 {
     const std::size_t first = ends_.size() > 1 ? ends_[ends_.size() - 2] : 0;

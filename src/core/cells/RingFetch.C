@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/cells/RingFetch.H"
 
@@ -103,7 +102,7 @@ private:
         );
     }
 
-    // Those that occur among the own points: a few.
+    // The images that occur among the own points: a few.
     labelList imagesOfPoints() const
     {
         labelHashSet found;
@@ -114,7 +113,7 @@ private:
         return found.sortedToc();
     }
 
-    // May the rank have a point that bears the same number at home?
+    // True where the rank may have a point with the same home.
     bool mayHave(label ranki, const point& home) const
     {
         return std::any_of(
@@ -127,8 +126,8 @@ private:
         );
     }
 
-    // For the cells at the points of faces behind which nothing is known, in the blocks
-    // from this one on.
+    // Asks the ranks for the cells at the points of faces behind which no cell is
+    // known, in the blocks from this one on.
     void ask(std::size_t first)
     {
         Map<point> homes;

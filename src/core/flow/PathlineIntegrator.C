@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/flow/PathlineIntegrator.H"
 
@@ -85,7 +84,8 @@ public:
     }
 
 private:
-    // Where the mesh becomes another, nothing but the length of the step is taken over.
+    // A new interval. If its snapshots have different meshes, of the step only the
+    // length is kept.
     void beginInterval()
     {
         line_.nSteps = 0;
@@ -139,7 +139,8 @@ private:
         return true;
     }
 
-    // By more than the round-off of whoever made the surface.
+    // True where the pathline starts beyond an open boundary by more than the round-off
+    // of the surface; it then has left.
     bool startsOutside()
     {
         const scalar distance = mag(line_.x - sample_.position);
@@ -211,7 +212,8 @@ private:
         }
         if (sample_.where == VelocitySample::Where::outside)
         {
-            // Where it leaves is read off the chord of the last step.
+            // The exit is found on the chord of the last step, so that must be
+            // straight.
             const scalar sagitta = mag(line_.k[nStages - 1] - line_.k[0]) * step / 8;
             if (sagitta > allowed && !shortest)
             {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/flow/VelocityInterval.H"
 
@@ -146,7 +145,7 @@ point VelocityInterval::exitPoint(
         else
         {
             low = middle;
-            // What is in a cell of another rank is inside.
+            // A position in a cell of another rank is inside.
             current = location.where == Location::Where::elsewhere ? hint : current;
         }
     }

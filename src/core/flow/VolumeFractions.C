@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/flow/VolumeFractions.H"
 #include "core/base/Errors.H"
@@ -50,9 +49,9 @@ vector faceGradient(const CellComplex& complex, const scalarField& alpha, label 
     return (inv(matrix) & moment) / complex.cellSizes()[celli];
 }
 
-// Where the solver says no more of the boundary than that alpha does not change
-// towards it, the value is extrapolated from the cells: an interface then meets a
-// wall at its own angle, and a film is there down to a third of a cell.
+// Boundary values; those that are equal to the cell's (zero gradient) are extrapolated
+// from the cells: an interface then meets a wall at its own angle, and a film is there
+// down to a third of a cell.
 scalarField extrapolated(
     const CellComplex& complex, const scalarField& cells, const scalarField& boundary
 )

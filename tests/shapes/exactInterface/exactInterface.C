@@ -168,7 +168,7 @@ private:
         return Foam::max(0.0, Foam::min(1.0, volumes / mesh.cellVolumes()));
     }
 
-    // Of cells that are boxes along the axes.
+    // Volume fractions of cells that are axis-aligned boxes.
     scalarField planeFractions(const polyMesh& mesh, const point& on) const
     {
         scalarField fractions(mesh.nCells());
