@@ -48,7 +48,7 @@ private:
     DynamicList<ExactSum> sums_;
 };
 
-// Of isPrimary points, else zero.
+// The areas of primary points; zero for the others.
 scalarField countedAreas(const ClassifiedSurface& surface)
 {
     scalarField areas(surface.areas);

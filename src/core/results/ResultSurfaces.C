@@ -151,7 +151,7 @@ void addMarks(
     );
 }
 
-// What both surfaces have in common.
+// The points, triangles and arrays that both surfaces have.
 ResultSurface surface(
     const ClassifiedSurface& from, const SplitPoints& split, scalar time,
     const labelList& numbers

@@ -50,7 +50,8 @@ point CarriedOrigins::extrapolated(label trianglei, const point& x) const
     );
 }
 
-// Where T has carried this origin: on the triangle near that comes closest to it.
+// The place [m] to which T has carried this origin: on the triangle within the radius
+// whose origins come closest to it.
 point CarriedOrigins::placeOf(const point& origin, const point& near, scalar radius)
     const
 {

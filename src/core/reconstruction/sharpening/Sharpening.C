@@ -192,7 +192,7 @@ private:
         );
     }
 
-    // Where tetrahedra folded triangles over each other, their points are spread along
+    // If tetrahedra folded triangles over each other, their points are spread along
     // the surface.
     void untangle()
     {
