@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/advection/InstabilityParticles.H"
 
@@ -14,7 +13,7 @@ namespace Foam::stability
 namespace
 {
 
-// What a particle at a point remembers of T.
+// The values of T that a particle shed at a point stores.
 struct Provenance
 {
     vector2D parameter{-1, -1};
@@ -78,7 +77,7 @@ Pathline& pathOf(Seed& seed)
     return seed.particle.path;
 }
 
-// What of a rank's part of T has detached, in the order of the surface.
+// The particles shed by a rank's piece of T, at its points and at centres of triangles.
 class Seeding
 {
 public:
@@ -98,7 +97,7 @@ private:
         return surface_.stability[pointi] == Stability::detached;
     }
 
-    // By first triangles, which are own for the points that count here.
+    // Each point gets the key of its first triangle, which is own for primary points.
     void addPoints()
     {
         const std::vector<Provenance> known(provenances(mesh_));

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/comparison/Comparison.H"
 
@@ -43,7 +42,7 @@ searchReach(std::initializer_list<const SurfacePiece*> pieces, const Setting& se
     return largest(reach, setting.run.ranks);
 }
 
-// What is nearer to a piece than this [m].
+// Adds the voxels nearer to a point of the piece than this distance [m] to the mask.
 void addAround(const SurfacePiece& piece, scalar distance, VoxelMask& mask)
 {
     for (const point& x : piece.mesh.points)
@@ -62,7 +61,7 @@ VoxelMask voxelsFor(scalar reach)
     return VoxelMask(0.5 * reach);
 }
 
-// Of M what T's points find.
+// The halo of M: the triangles that searches from T's points and from M's may find.
 SurfaceHalo interfaceHalo(
     const SurfacePiece& interface, const SurfacePiece& timeSurface, scalar reach,
     const Setting& setting
@@ -74,7 +73,8 @@ SurfaceHalo interfaceHalo(
     return haloOf(interface, mask, setting);
 }
 
-// Of T what M's points find, and what is connected with it there.
+// The halo of T: the triangles that searches from M's points and from T's may find, and
+// those that are connected with them there.
 SurfaceHalo timeSurfaceHalo(
     const SurfacePiece& interface, const SurfacePiece& timeSurface, scalar reach,
     const Setting& setting

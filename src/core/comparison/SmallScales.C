@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/comparison/SmallScales.H"
 
@@ -140,7 +139,8 @@ std::vector<Droplet> dropletsAtHome(
     return found;
 }
 
-// Per owned triangle: does it belong to a droplet, perhaps one at home elsewhere?
+// One entry per owned triangle: true if it belongs to a droplet, which may be at home
+// on another rank.
 List<bool> ofDroplets(
     const SurfacePiece& owned, const Components& components,
     const std::vector<Droplet>& droplets, const Exchange& exchange

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/comparison/Statistics.H"
 
@@ -49,7 +48,7 @@ private:
     DynamicList<ExactSum> sums_;
 };
 
-// Of isPrimary points, else zero.
+// The areas of primary points; zero for the others.
 scalarField countedAreas(const ClassifiedSurface& surface)
 {
     scalarField areas(surface.areas);

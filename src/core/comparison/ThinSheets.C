@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/comparison/ThinSheets.H"
 
@@ -11,9 +10,9 @@ namespace Foam::stability
 namespace
 {
 
-// Does the segment from x - d to x + d meet the triangle? Edges belong to it, with some
-// margin, so that no segment slips between two triangles (Moeller and Trumbore, J.
-// Graphics Tools 2 (1997)).
+// True if the segment from x - d to x + d meets the triangle (Moeller and Trumbore, J.
+// Graphics Tools 2 (1997)). Edges belong to the triangle, with some margin, so that no
+// segment slips between two triangles.
 bool meets(
     const point& x, const vector& d, const point& a, const point& b, const point& c
 )

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/reconstruction/BonnellDual.H"
 #include "core/reconstruction/MarchingTets.H"
@@ -68,7 +67,7 @@ public:
     }
 
 private:
-    // Are all cells around the point there?
+    // True if all cells around the point are there.
     bool isKnown(label pointi) const
     {
         const UList<label> cells = complex_.pointCells()[pointi];
@@ -87,7 +86,7 @@ private:
         return fractions_.boundaryFaces[facei - complex_.nInternalFaces()];
     }
 
-    // Are the vertices of the dual cell on both sides?
+    // True if vertices of the dual cell are on both sides of alpha = 1/2.
     bool differs(label pointi) const
     {
         const UList<label> cells = complex_.pointCells()[pointi];

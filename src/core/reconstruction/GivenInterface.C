@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/reconstruction/GivenInterface.H"
 #include "core/base/Errors.H"
@@ -42,7 +41,7 @@ void checkFinite(const GivenSurface& surface)
     }
 }
 
-// Per point the name of what it is a copy of.
+// The name of each point; points of one name are copies of one.
 labelList namesOf(const GivenSurface& surface)
 {
     if (surface.welding == Welding::byName)
@@ -162,12 +161,12 @@ private:
         return onBoundary * complex_.cellSizes()[celli] + roundOff_;
     }
 
-    // Of the cells that touch the point the lowest, as where the surface is extracted.
+    // The lowest of the cells that touch the point, as in an extraction.
     label cellOf(const point& x)
     {
         const Location location = locate(complex_, x, hint_);
         const bool found = location.where != Location::Where::nowhere;
-        // What lies beyond a wall is put back to 1e-6 in front of it.
+        // A point beyond a wall is put back to 1e-6 in front of it.
         if (!found
             || (location.boundaryFace >= 0
                 && mag(location.position - x) > 2 * toleranceIn(location.cell)))
@@ -177,8 +176,8 @@ private:
         return settledCell(complex_, location.cell, x);
     }
 
-    // Of the cells around this one that touch the point the first of that size, else
-    // this one.
+    // The first cell of that size among those around this one that touch the point, or
+    // this one if there is none.
     label cellOfSize(scalar size, label celli, const point& x) const
     {
         constexpr scalar touches = 0.3; // in cells: badly warped faces bulge by less
@@ -230,7 +229,7 @@ scalar enclosed(const InterfaceMesh& mesh, const CellComplex& complex)
     return flux < 0 ? sum(complex.cellVolumes()) + flux / 3 : flux / 3;
 }
 
-// Are there cells of both materials?
+// True if there are cells of both materials.
 bool hasInterface(const VolumeFractions& fractions)
 {
     const scalarField& cells = fractions.cells;

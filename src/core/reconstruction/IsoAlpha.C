@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/reconstruction/IsoAlpha.H"
 #include "core/reconstruction/MarchingTets.H"
@@ -54,7 +53,7 @@ public:
 private:
     static constexpr scalar unknown = -1;
 
-    // Is it near, and are there all cells that say what alpha is at its points?
+    // True if the face is near and all cells are there that decide alpha at its points.
     bool isWanted(label facei) const
     {
         const label owner = complex_.owner()[facei];
@@ -188,8 +187,8 @@ private:
         return VolumeFractions::rounded(sum / weights);
     }
 
-    // Where a face of many pieces lies between two cells, an edge between two of its
-    // pieces has only these two cells around it: its tetrahedra cancel.
+    // If several faces lie between two cells, an edge between two of these faces has
+    // only the two cells around it: its tetrahedra cancel.
     bool betweenPieces(label facei, label a, label b) const
     {
         const label owner = complex_.owner()[facei];
@@ -274,8 +273,9 @@ scalar marginOf(const CellComplex& complex, const ReconstructionOptions& options
     return complex.whole().tetrahedra > fewTetrahedra ? narrow : wide;
 }
 
-// What is around the own triangles moves them: by smoothing, two rings each, and where
-// sharpening holds triangles that would flip. Components are fitted as they are known.
+// The number of rings of cells around a rank's own whose triangles influence its own:
+// two for each pair of smoothing, and some by sharpening, which holds triangles that
+// would flip. Volumes are fitted on all rings that are known.
 label ringsOf(const ReconstructionOptions& options)
 {
     constexpr label untangling = 4;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/reconstruction/MarchingTets.H"
 #include "core/cells/CellPlacement.H"
@@ -34,7 +33,8 @@ MarchingTets::MarchingTets(const CellComplex& complex, scalar margin)
 {
 }
 
-// Where the value is 1/2, as a share of the way from the inside end to the outside.
+// The place at which the value is 1/2, as a share of the way from the inside end of the
+// edge to the outside end, kept away from both by the margin.
 scalar MarchingTets::cutShare(const Vertex& in, const Vertex& out) const
 {
     const scalar t = (0.5 - in.value) / (out.value - in.value);

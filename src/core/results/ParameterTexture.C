@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/results/ParameterTexture.H"
 #include "mathematicalConstants.H"
@@ -106,7 +105,7 @@ Lab shade(const vector2D& p, scalar full, scalar lightness)
     return {lightness, chroma, hueOf(p.x())};
 }
 
-// Is the pixel's middle nearer than half a line's width to a multiple of 1/16?
+// True if the pixel's middle is nearer to a multiple of 1/16 than half a line's width.
 bool onLine(int pixel, int size)
 {
     const scalar x = nCells * (pixel + 0.5) / size;
@@ -119,7 +118,7 @@ bool liesOnSwatch(const vector2D& p)
     return p.x() > 1 - BlackSwatch::size && p.y() < BlackSwatch::size;
 }
 
-// What depends on u only: found once per column.
+// The values that depend on u only; they are found once for each column.
 struct Column
 {
     scalar fullChroma;

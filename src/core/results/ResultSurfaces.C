@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/results/ResultSurfaces.H"
 
@@ -152,7 +151,7 @@ void addMarks(
     );
 }
 
-// What both surfaces have in common.
+// The points, triangles and arrays that both surfaces have.
 ResultSurface surface(
     const ClassifiedSurface& from, const SplitPoints& split, scalar time,
     const labelList& numbers

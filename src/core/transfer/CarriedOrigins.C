@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/transfer/CarriedOrigins.H"
 
@@ -51,7 +50,8 @@ point CarriedOrigins::extrapolated(label trianglei, const point& x) const
     );
 }
 
-// Where T has carried this origin: on the triangle near that comes closest to it.
+// The place [m] to which T has carried this origin: on the triangle within the radius
+// whose origins come closest to it.
 point CarriedOrigins::placeOf(const point& origin, const point& near, scalar radius)
     const
 {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/transfer/Retriangulation.H"
 
@@ -101,7 +100,7 @@ void markUnknown(std::vector<CutTriangle>& result, std::size_t from)
     }
 }
 
-// What three cuts leave between the corners.
+// Appends the triangle that three cuts leave between the corners.
 void appendMiddle(
     const triFace& triangle, const CornerIndices& own,
     const FixedList<EdgeCut, 3>& cuts, label middle, const Positions& positions,

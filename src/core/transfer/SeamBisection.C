@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/transfer/SeamBisection.H"
 
@@ -75,7 +74,7 @@ bool SeamBisection::joined(const SheetPoint& a, const SheetPoint& b, scalar slac
            );
 }
 
-// Is the piece within one triangle of T, or is there no seam anywhere near it?
+// True if the piece is within one triangle of T, or no seam is anywhere near it.
 bool SeamBisection::evidentlyJoined(const Piece& piece) const
 {
     if (piece.w1.sheet.anchor == piece.w2.sheet.anchor)
@@ -143,7 +142,7 @@ bool SeamBisection::firstCut(const Piece& piece, bool fromStart, SeamEvent& cut)
            || firstCut(fromStart ? second : first, fromStart, cut);
 }
 
-// At the end of Algorithm 1: does p jump between w1 and w2?
+// The test at the end of Algorithm 1: true if p jumps between w1 and w2.
 bool SeamBisection::isCut(const Piece& piece) const
 {
     const vector2D jump = piece.w2.sheet.p - piece.w1.sheet.p;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/transfer/SeamTreatment.H"
 
@@ -238,9 +237,9 @@ void SeamTreatment::split(label trianglei, const FixedList<EdgeCut, 3>& cuts)
     replace(trianglei, parts);
 }
 
-// Three cuts: to which corner's sheet does the triangle in the middle belong? To that
-// of its centre, if the two points that lie on it are far enough apart to tell where
-// the third would be.
+// The corner to whose sheet the triangle in the middle of three cuts belongs: the sheet
+// of its centre, if the two of its points that lie on that sheet are far enough apart
+// to extrapolate p to the third.
 label SeamTreatment::middleCorner(const triFace& t, const FixedList<EdgeCut, 3>& cuts)
     const
 {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/reconstruction/sharpening/NormalEquations.H"
 
@@ -83,8 +82,8 @@ private:
         result_.nCells = result_.fits.size();
     }
 
-    // Where the fraction jumps from 1 to 0 across a face, as at every start from
-    // setFields, the interface is the face.
+    // Adds the faces across which the fraction jumps from 1 to 0, as at every start
+    // from setFields: there the interface is the face.
     void findJumps()
     {
         for (label facei = 0; facei < complex_.nInternalFaces(); ++facei)
@@ -224,7 +223,7 @@ private:
         take(equations, own);
     }
 
-    // Where neighbours do not tell, the plane stays.
+    // The plane stays if neighbours do not tell.
     static void take(const NormalEquations<6>& equations, InterfaceFit& own)
     {
         constexpr int fewest = 5;

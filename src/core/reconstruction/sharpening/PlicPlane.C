@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/reconstruction/sharpening/PlicPlane.H"
 
@@ -11,7 +10,7 @@ namespace Foam::stability
 namespace
 {
 
-// Is the face so flat and convex that it can be cut as one polygon?
+// True if the face is so flat and convex that it can be cut as one polygon.
 bool isPlanar(const CellComplex& complex, label facei)
 {
     constexpr scalar flat = 1e-9; // of its width
@@ -149,8 +148,8 @@ CellShape::cut(const vector& normal, scalar offset, std::vector<Segment>& outlin
     return flux / 6;
 }
 
-// Where a facet leaves the kept side at a and comes back at b, the polygon runs from a
-// to b right-handed around the normal.
+// A facet leaves the kept side at a and comes back at b; the polygon runs from a to b
+// right-handed around the normal.
 void CellShape::measure(PlicPlane& plane, const std::vector<Segment>& outline) const
 {
     plane.area = 0;

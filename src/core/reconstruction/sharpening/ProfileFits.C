@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/reconstruction/sharpening/NormalEquations.H"
 
@@ -37,8 +36,8 @@ scalarField smoothed(const CellComplex& complex, const scalarField& alpha)
     return sums;
 }
 
-// What the mean over a cell and its smoothing add to a quadratic function, per unit
-// of its second derivatives, in squares of `size`: 1/12 + 1/6 in a cube.
+// The value that the mean over a cell and its smoothing add to a quadratic function,
+// per unit of its second derivatives, in squares of `size`: 1/12 + 1/6 in a cube.
 scalar meanSquare(const CellComplex& complex, label celli, scalar size)
 {
     scalar squares = 0;
@@ -131,7 +130,7 @@ private:
         }
     }
 
-    // Of beta, in all cells that a fit may look at.
+    // The gradients of beta in all cells that a fit may look at.
     void findGradients()
     {
         CellStencil stencil(complex_);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/reconstruction/sharpening/Sharpening.H"
 
@@ -193,7 +192,7 @@ private:
         );
     }
 
-    // Where tetrahedra folded triangles over each other, their points are spread along
+    // If tetrahedra folded triangles over each other, their points are spread along
     // the surface.
     void untangle()
     {

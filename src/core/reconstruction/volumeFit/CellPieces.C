@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/reconstruction/volumeFit/CellPieces.H"
 
@@ -13,7 +12,7 @@ namespace
 
 using Tet = std::array<point, 4>;
 
-// Where depth > 0.
+// The half space of positive depth.
 struct HalfSpace
 {
     point on;
@@ -47,7 +46,7 @@ struct Sides
         }
     }
 
-    // Where the edge between an inner and an outer corner meets the plane.
+    // The point at which the edge between an inner and an outer corner meets the plane.
     point cut(label i, label o) const
     {
         return in[i] + inDepth[i] / (inDepth[i] - outDepth[o]) * (out[o] - in[i]);

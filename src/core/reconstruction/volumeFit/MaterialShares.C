@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of interfaceStability, an extension of OpenFOAM.
 
 #include "core/reconstruction/volumeFit/MaterialShares.H"
 
@@ -15,7 +14,7 @@ namespace Foam::stability
 namespace
 {
 
-// What a piece has in a cell.
+// The part of a piece in a cell.
 struct Part
 {
     label piece;
@@ -28,7 +27,7 @@ struct RegionCell
 {
     label cell;
     std::vector<Part> parts; // by piece, ascending; none: nothing to share out
-    bool open = false;       // is one of them not closed?
+    bool open = false;       // true: one of them is not closed
 };
 
 class ShareFinder
@@ -69,7 +68,7 @@ public:
     }
 
 private:
-    // What is nearer to 0 or 1 is round-off of the solver.
+    // A volume fraction nearer to 0 or 1 than this is round-off of the solver.
     static constexpr scalar trace = 1e-6;
 
     scalar impurity(label celli) const
@@ -88,7 +87,7 @@ private:
         }
     }
 
-    // Of the cells of the region from this one on.
+    // Finds the parts in the cells of the region from this one on.
     void findParts(std::size_t first)
     {
         const label n = label(region_.size());
@@ -214,7 +213,7 @@ private:
             surplus -= columns_[part.piece]->volumeIn(cell);
             weights += sqr(part.area);
         }
-        // What is outside of all of them lies around the largest.
+        // If the largest is a bubble, the first material lies around all of them.
         surplus -= largest < 0 ? cell.volume() : 0;
         if (parts.size() == 1)
         {
@@ -256,7 +255,8 @@ private:
         }
     }
 
-    // Where the cells of closed pieces meet mixed ones of others.
+    // Adds up the volumes at borders between closed pieces and those that are not
+    // closed.
     void weighBorders(std::vector<MaterialShare>& shares) const
     {
         const scalarField& V = complex_.cellVolumes();
