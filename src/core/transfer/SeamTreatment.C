@@ -286,6 +286,7 @@ void SeamTreatment::carryOrigins()
         }
     }
     mesh_.setOrigins(origins);
+    DynamicList<point> elsewhere;
     std::map<label, label> ofSides; // per index of p
     forAll(mesh_.triangles, trianglei)
     {
@@ -305,13 +306,14 @@ void SeamTreatment::carryOrigins()
                 if (mag(there - origins[pointi])
                     > smallestJump * mesh_.cellSizes[pointi])
                 {
-                    found.first->second = mesh_.origins.size();
-                    mesh_.origins.append(there);
+                    found.first->second = origins.size() + elsewhere.size();
+                    elsewhere.append(there);
                 }
             }
             mesh_.originCorners[trianglei][k] = found.first->second;
         }
     }
+    mesh_.origins.append(elsewhere);
 }
 
 void SeamTreatment::countParts()

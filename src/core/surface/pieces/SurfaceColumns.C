@@ -158,13 +158,14 @@ SurfacePiece concatenated(const std::vector<SurfacePiece>& parts)
     for (const SurfacePiece& part : parts)
     {
         const label firstPoint = all.mesh.points.size();
-        for (triFace t : part.mesh.triangles)
+        const label firstTriangle = all.mesh.triangles.size();
+        all.mesh.triangles.append(part.mesh.triangles);
+        for (label i = firstTriangle; i < all.mesh.triangles.size(); ++i)
         {
-            for (label& pointi : t)
+            for (label& pointi : all.mesh.triangles[i])
             {
                 pointi += firstPoint;
             }
-            all.mesh.triangles.append(t);
         }
         forEachColumn(Appending{all, part});
     }
