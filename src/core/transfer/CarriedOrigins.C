@@ -23,6 +23,53 @@ point CarriedOrigins::at(const Match& match, label source) const
                      : onTriangle(x.triangle, x.weights);
 }
 
+// The origin has no seams, only mergers: there the sides of a cut have origins that are
+// farther apart than interpolation brings them.
+void CarriedOrigins::give(
+    InterfaceMesh& mesh, const List<Match>& matches, const labelList& sources,
+    const std::map<label, SheetPoint>& sides, const SeamBisection& bisection
+) const
+{
+    constexpr scalar smallestJump = 0.5; // [cells]
+    pointField origins(mesh.points);
+    forAll(origins, pointi)
+    {
+        if (matches[pointi].stable)
+        {
+            origins[pointi] = at(matches[pointi], sources[pointi]);
+        }
+    }
+    mesh.setOrigins(origins);
+    DynamicList<point> elsewhere;
+    std::map<label, label> indices; // per index of p that of the origin
+    forAll(mesh.triangles, trianglei)
+    {
+        for (label k = 0; k < 3; ++k)
+        {
+            const auto side = sides.find(mesh.corners[trianglei][k]);
+            if (side == sides.end())
+            {
+                continue;
+            }
+            const label pointi = mesh.triangles[trianglei][k];
+            const auto known = indices.insert({side->first, pointi});
+            if (known.second)
+            {
+                const point there =
+                    onSide(mesh.points[pointi], side->second, bisection);
+                if (mag(there - origins[pointi])
+                    > smallestJump * mesh.cellSizes[pointi])
+                {
+                    known.first->second = origins.size() + elsewhere.size();
+                    elsewhere.append(there);
+                }
+            }
+            mesh.originCorners[trianglei][k] = known.first->second;
+        }
+    }
+    mesh.origins.append(elsewhere);
+}
+
 point CarriedOrigins::onSide(
     const point& x, const SheetPoint& side, const SeamBisection& bisection
 ) const

@@ -202,13 +202,42 @@ void SeamBisection::bisect(const Piece& piece, std::vector<SeamEvent>& events) c
     bisect({piece.a, piece.b, piece.length, at, piece.at2, v, piece.w2}, events);
 }
 
+// A sheet between two seams narrower than this share of the edge is left out.
+void SeamBisection::mergeNear(std::vector<SeamEvent>& events, scalar narrowest) const
+{
+    std::vector<SeamEvent> kept;
+    for (SeamEvent& event : events)
+    {
+        if (!kept.empty() && !event.gap && !kept.back().gap
+            && event.at - kept.back().at < narrowest)
+        {
+            SeamEvent& merged = kept.back();
+            merged.after = event.after;
+            const scalar distance =
+                mag(merged.before.match.nearest.position
+                    - merged.after.match.nearest.position);
+            if (joined(merged.before, merged.after, distance))
+            {
+                kept.pop_back(); // over to the narrow sheet and back
+            }
+        }
+        else
+        {
+            kept.push_back(std::move(event));
+        }
+    }
+    events = std::move(kept);
+}
+
 std::vector<SeamEvent>
 SeamBisection::cuts(const SheetPoint& a, const SheetPoint& b) const
 {
     std::vector<SeamEvent> events;
     if (a.sheet.valid() && b.sheet.valid())
     {
-        bisect({a, b, mag(b.x - a.x), 0, 1, a, b}, events);
+        const scalar length = mag(b.x - a.x);
+        bisect({a, b, length, 0, 1, a, b}, events);
+        mergeNear(events, options_.narrowestSheet * a.cellSize / (length + VSMALL));
     }
     return events;
 }

@@ -154,11 +154,6 @@ void SeamCuts::trace(const std::vector<Edge>& edges, const std::vector<char>& bo
         events[i] = bisection_.cuts(
             vertices_[edges[i].first].seen, vertices_[edges[i].second].seen
         );
-        const SheetPoint &a = vertices_[edges[i].first].seen,
-                         &b = vertices_[edges[i].second].seen;
-        mergeNear(
-            events[i], options_.narrowestSheet * a.cellSize / (mag(b.x - a.x) + VSMALL)
-        );
     }
     for (std::size_t i = 0; i < edges.size(); ++i)
     {
@@ -168,33 +163,6 @@ void SeamCuts::trace(const std::vector<Edge>& edges, const std::vector<char>& bo
             edges_[edges[i]] = {std::move(events[i]), bool(boundary[i])};
         }
     }
-}
-
-// A sheet between two seams narrower than this share of the edge is left out.
-void SeamCuts::mergeNear(std::vector<SeamEvent>& events, scalar narrowest) const
-{
-    std::vector<SeamEvent> kept;
-    for (SeamEvent& event : events)
-    {
-        if (!kept.empty() && !event.gap && !kept.back().gap
-            && event.at - kept.back().at < narrowest)
-        {
-            SeamEvent& merged = kept.back();
-            merged.after = event.after;
-            const scalar distance =
-                mag(merged.before.match.nearest.position
-                    - merged.after.match.nearest.position);
-            if (bisection_.joined(merged.before, merged.after, distance))
-            {
-                kept.pop_back(); // over to the narrow sheet and back
-            }
-        }
-        else
-        {
-            kept.push_back(std::move(event));
-        }
-    }
-    events = std::move(kept);
 }
 
 void SeamCuts::separate()
@@ -232,21 +200,13 @@ void SeamCuts::separate()
 // All seams on the edge become one cut.
 void SeamCuts::giveUp(const Edge& edge, CrossedEdge& crossed)
 {
-    std::vector<SeamEvent>& events = crossed.events;
-    events.erase(
-        std::remove_if(
-            events.begin(), events.end(), [](const SeamEvent& e) { return e.gap; }
-        ),
-        events.end()
-    );
-    if (events.empty())
+    crossed.makeOne();
+    if (crossed.events.empty())
     {
         edges_.erase(edge);
     }
     else
     {
-        events.front().after = events.back().after;
-        events.resize(1);
         edges_[edge] = crossed;
     }
     for (std::size_t i = 0; i < triangles_.size(); ++i)
@@ -358,21 +318,6 @@ void SeamCuts::divideTriangles(const std::map<Edge, label>& newPoints)
     }
     const std::vector<Edge> inner(newEdges.begin(), newEdges.end());
     trace(inner, std::vector<char>(inner.size(), 0));
-}
-
-bool SeamCuts::isCrossed(label a, label b) const
-{
-    return touched_[a] && touched_[b] && edges_.count(edgeOf(a, b)) > 0;
-}
-
-label SeamCuts::nUnresolved(const UList<bool>& own) const
-{
-    label n = 0;
-    for (std::size_t i = 0; i < unresolved_.size(); ++i)
-    {
-        n += own[i] && unresolved_[i];
-    }
-    return n;
 }
 
 label SeamCuts::addVertex(

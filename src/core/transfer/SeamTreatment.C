@@ -272,48 +272,14 @@ label SeamTreatment::middleCorner(const triFace& t, const FixedList<EdgeCut, 3>&
     return longest;
 }
 
-// The origin has no seams, only mergers: there the sides of a cut have origins that are
-// farther apart than interpolation brings them. What is attached starts here.
 void SeamTreatment::carryOrigins()
 {
-    constexpr scalar smallestJump = 0.5; // [cells]
-    pointField origins(mesh_.points);
-    forAll(origins, pointi)
+    labelList anchors(mesh_.points.size());
+    forAll(anchors, pointi)
     {
-        if (matches_[pointi].stable)
-        {
-            origins[pointi] = origins_.at(matches_[pointi], seen(pointi).sheet.anchor);
-        }
+        anchors[pointi] = seen(pointi).sheet.anchor;
     }
-    mesh_.setOrigins(origins);
-    DynamicList<point> elsewhere;
-    std::map<label, label> ofSides; // per index of p
-    forAll(mesh_.triangles, trianglei)
-    {
-        for (label k = 0; k < 3; ++k)
-        {
-            const auto side = sides_.find(mesh_.corners[trianglei][k]);
-            if (side == sides_.end())
-            {
-                continue;
-            }
-            const label pointi = mesh_.triangles[trianglei][k];
-            const auto found = ofSides.insert({side->first, pointi});
-            if (found.second)
-            {
-                const point there =
-                    origins_.onSide(mesh_.points[pointi], side->second, bisection_);
-                if (mag(there - origins[pointi])
-                    > smallestJump * mesh_.cellSizes[pointi])
-                {
-                    found.first->second = origins.size() + elsewhere.size();
-                    elsewhere.append(there);
-                }
-            }
-            mesh_.originCorners[trianglei][k] = found.first->second;
-        }
-    }
-    mesh_.origins.append(elsewhere);
+    origins_.give(mesh_, matches_, anchors, sides_, bisection_);
 }
 
 void SeamTreatment::countParts()

@@ -5,6 +5,7 @@
 #include "core/cells/CellStencil.H"
 #include "core/reconstruction/sharpening/ProfileFits.H"
 
+#include "core/reconstruction/sharpening/FaceSmoothing.H"
 #include <algorithm>
 #include <cmath>
 
@@ -16,45 +17,6 @@ namespace
 
 constexpr scalar saturated = 1e-3; // the logit is clamped there
 constexpr scalar sigma = 1.5;      // reach of the weights along the interface, in sizes
-
-// Half of the cell itself, half of its neighbours across faces: the fits are blind to
-// the ripples of a cell that the scheme leaves.
-scalarField smoothed(const CellComplex& complex, const scalarField& alpha)
-{
-    scalarField sums(alpha.size(), 0);
-    for (label facei = 0; facei < complex.nInternalFaces(); ++facei)
-    {
-        const label a = complex.owner()[facei], b = complex.neighbour()[facei];
-        sums[a] += alpha[b] - alpha[a];
-        sums[b] += alpha[a] - alpha[b];
-    }
-    forAll(sums, celli)
-    {
-        sums[celli] =
-            alpha[celli] + 0.5 * sums[celli] / complex.cellFaces()[celli].size();
-    }
-    return sums;
-}
-
-// The value that the mean over a cell and its smoothing add to a quadratic function,
-// per unit of its second derivatives, in squares of `size`: 1/12 + 1/6 in a cube.
-scalar meanSquare(const CellComplex& complex, label celli, scalar size)
-{
-    scalar squares = 0;
-    for (const label facei : complex.cellFaces()[celli])
-    {
-        if (facei < complex.nInternalFaces())
-        {
-            const label other = complex.owner()[facei] == celli
-                                    ? complex.neighbour()[facei]
-                                    : complex.owner()[facei];
-            squares +=
-                magSqr(complex.cellCentres()[other] - complex.cellCentres()[celli]);
-        }
-    }
-    const scalar neighbours = 0.5 * squares / complex.cellFaces()[celli].size() / 3;
-    return (sqr(complex.cellSizes()[celli]) / 12 + neighbours) / sqr(size);
-}
 
 scalar logit(scalar beta)
 {
@@ -78,8 +40,9 @@ public:
         const CellComplex& complex, const scalarField& alpha, label nThreads,
         label nRings
     )
-        : complex_(complex), beta_(smoothed(complex, alpha)), logits_(alpha.size()),
-          gradients_(alpha.size()), nThreads_(nThreads), nRings_(nRings)
+        : complex_(complex), beta_(smoothedOverFaces(complex, alpha)),
+          logits_(alpha.size()), gradients_(alpha.size()), nThreads_(nThreads),
+          nRings_(nRings)
     {
     }
 
@@ -181,7 +144,8 @@ private:
         }
         takeSamples(cells, own, samples);
         matchMoments(samples, std::min(std::max(steepness, 1.5), 8.0), own);
-        own.a[0] -= meanSquare(complex_, own.cell, own.size) * (own.a[3] + own.a[5]);
+        own.a[0] -=
+            smoothedSquare(complex_, own.cell, own.size) * (own.a[3] + own.a[5]);
         return true;
     }
 
