@@ -4,7 +4,7 @@
 
 #include "core/base/ScopedTimer.H"
 #include "core/base/Errors.H"
-#include "core/parametrization/Flattening.H"
+#include "core/parametrization/FlatteningMethods.H"
 #include "core/ranks/ExactSum.H"
 #include "core/reconstruction/NoiseFloor.H"
 

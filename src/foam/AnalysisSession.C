@@ -5,7 +5,7 @@
 #include "core/base/Errors.H"
 #include "core/base/ScopedTimer.H"
 #include "core/base/Version.H"
-#include "core/comparison/StatisticsTables.H"
+#include "core/comparison/StabilityTables.H"
 #include "core/ranks/Exchange.H"
 #include "fvMesh.H"
 

@@ -64,6 +64,7 @@ void TimeSurface::seed(
 {
     piece_ = piece;
     marks_ = marks;
+    fillMarks(marks_, piece.mesh.points.size());
     send(time, complex, exchange);
 }
 
@@ -73,7 +74,6 @@ void TimeSurface::seedRemeshed(
 )
 {
     seed(piece, marks, time, complex, exchange);
-    marks_.nearWall = List<bool>(piece.mesh.points.size(), false);
     runOnAllRanks(
         exchange,
         [&]

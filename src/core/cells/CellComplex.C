@@ -191,9 +191,13 @@ void CellComplex::computeAddressing()
             }
         }
     );
+    addressBoundary();
+}
 
-    nearWall_.setSize(nCells, false);
-    atRim_.setSize(nCells, false);
+void CellComplex::addressBoundary()
+{
+    nearWall_.setSize(nCells(), false);
+    atRim_.setSize(nCells(), false);
     pointBoundaryFaces_ = Rows(
         nPoints(),
         [&](const auto& add)

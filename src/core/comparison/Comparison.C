@@ -219,6 +219,7 @@ ClassifiedSurface Comparison::describeInterface(std::vector<Droplet>& droplets) 
     );
     interface.thin = halo.toOwned(scales.thin);
     interface.subGrid = halo.toOwned(scales.subGrid);
+    fillMarks(interface, interface.mesh.points.size());
     droplets = std::move(scales.droplets);
     return interface;
 }
@@ -263,11 +264,11 @@ ClassifiedSurface describe(
 }
 
 ClassifiedSurface toOwned(
-    const ClassifiedSurface& onPiece, const SurfaceHalo& halo,
+    const ClassifiedSurface& onHalo, const SurfaceHalo& halo,
     const TimeSurface& timeSurface
 )
 {
-    ClassifiedSurface surface(onPiece);
+    ClassifiedSurface surface(onHalo);
     select(surface, halo.places());
     surface.mesh = timeSurface.piece().mesh;
     surface.order = timeSurface.piece();

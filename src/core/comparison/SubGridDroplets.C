@@ -51,12 +51,13 @@ void addEnclosed(
     for (const triFace& t : mesh.triangles)
     {
         Piece& piece = pieces[components[t[0]]];
-        const point& apex = mesh.points[piece.points[0]];
+        const point& referencePoint = mesh.points[piece.points[0]];
         const point &a = mesh.points[t[0]], &b = mesh.points[t[1]],
                     &c = mesh.points[t[2]];
-        const scalar volume = ((a - apex) & ((b - apex) ^ (c - apex))) / 6;
+        const scalar volume =
+            ((a - referencePoint) & ((b - referencePoint) ^ (c - referencePoint))) / 6;
         piece.enclosed.volume += volume;
-        piece.enclosed.first += volume * (apex + a + b + c) / 4;
+        piece.enclosed.first += volume * (referencePoint + a + b + c) / 4;
     }
 }
 

@@ -61,7 +61,8 @@ void checkOptions(
 
 const std::vector<ReconstructionMethod>& reconstructionMethods()
 {
-    // In the order of the members. Droplets are looked at with six rings; to extract
+    // name, maker, sharesPoints, canSmooth, canSharpen, canFitVolumes, readsFiles,
+    // epsilon, reach, reference. Droplets are looked at with six rings; to extract
     // alike, fewer would do.
     // clang-format off
     static const std::vector<ReconstructionMethod> methods{

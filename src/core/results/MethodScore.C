@@ -2,7 +2,7 @@
 
 #include "core/results/MethodScore.H"
 
-#include "core/comparison/StatisticsTables.H"
+#include "core/comparison/StabilityTables.H"
 
 #include <algorithm>
 #include <cmath>

@@ -209,6 +209,22 @@ SurfaceLocator::Box SurfaceLocator::boxOf(const point& x) const
     return box;
 }
 
+void SurfaceLocator::findBoxes()
+{
+    forAll(triangles_, trianglei)
+    {
+        first_[trianglei] = Box(0);
+        last_[trianglei] = Box(-1);
+        if (isFinite(trianglei))
+        {
+            const triFace& t = triangles_[trianglei];
+            const point &a = points_[t[0]], &b = points_[t[1]], &c = points_[t[2]];
+            first_[trianglei] = boxOf(min(a, min(b, c)));
+            last_[trianglei] = boxOf(max(a, max(b, c)));
+        }
+    }
+}
+
 void SurfaceLocator::fillBoxes()
 {
     const auto visitEntries = [&](auto&& visit)
@@ -232,19 +248,8 @@ void SurfaceLocator::fillBoxes()
         }
     };
 
+    findBoxes();
     std::size_t nEntries = 0;
-    forAll(triangles_, trianglei)
-    {
-        first_[trianglei] = Box(0);
-        last_[trianglei] = Box(-1);
-        if (isFinite(trianglei))
-        {
-            const triFace& t = triangles_[trianglei];
-            const point &a = points_[t[0]], &b = points_[t[1]], &c = points_[t[2]];
-            first_[trianglei] = boxOf(min(a, min(b, c)));
-            last_[trianglei] = boxOf(max(a, max(b, c)));
-        }
-    }
     visitEntries([&](std::int64_t, label) { ++nEntries; });
 
     std::size_t nSlots = 16;

@@ -188,8 +188,9 @@ scalar scaleOf(const InterfaceMesh& mesh, const UList<bool>& own, const Exchange
 }
 
 // To each rank those in the box of its piece.
-List<SeamNode>
-spread(const List<SeamNode>& all, const pointField& points, const Exchange& exchange)
+List<SeamNode> distribute(
+    const List<SeamNode>& all, const pointField& points, const Exchange& exchange
+)
 {
     if (exchange.nRanks() == 1)
     {
@@ -235,7 +236,7 @@ SeamShape seamShape(
 {
     SeamShape shape;
     shape.scale = scaleOf(piece.mesh, own, exchange);
-    shape.nodes = spread(
+    shape.nodes = distribute(
         allSeamNodes(piece, topology, own, exchange), piece.mesh.points, exchange
     );
     return shape;

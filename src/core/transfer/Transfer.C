@@ -2,7 +2,7 @@
 
 #include "core/transfer/Transfer.H"
 
-#include "core/transfer/SeamTreatment.H"
+#include "core/transfer/SeamCutting.H"
 
 namespace Foam::stability
 {
@@ -13,7 +13,7 @@ TransferResult transfer(
 )
 {
     const CarriedOrigins origins(target, around.chart);
-    SeamTreatment treatment(mesh, matches, target, origins, around, options);
+    SeamCutting treatment(mesh, matches, target, origins, around, options);
     TransferResult result = treatment.run();
     treatment.carryOrigins();
     around.chart.readOff(mesh);

@@ -2,7 +2,7 @@
 
 #include "foam/entries/EntryTable.H"
 
-#include "core/parametrization/Flattening.H"
+#include "core/parametrization/FlatteningMethods.H"
 #include "foam/entries/EntryChoices.H"
 #include "polyMesh.H"
 

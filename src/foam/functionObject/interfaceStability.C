@@ -3,7 +3,7 @@
 #include "foam/functionObject/interfaceStability.H"
 
 #include "addToRunTimeSelectionTable.H"
-#include "core/comparison/StatisticsTables.H"
+#include "core/comparison/StabilityTables.H"
 #include "foam/errors/Failures.H"
 #include "foam/functionObject/StartChecks.H"
 #include "fvMesh.H"

@@ -3,7 +3,7 @@
 #include "foam/results/ResultFolder.H"
 
 #include "core/base/Errors.H"
-#include "core/comparison/StatisticsTables.H"
+#include "core/comparison/StabilityTables.H"
 #include "foam/results/ResultSeries.H"
 #include "OSspecific.H"
 

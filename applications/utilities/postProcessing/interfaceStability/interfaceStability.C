@@ -55,7 +55,7 @@ Usage
 #include "foam/entries/Methods.H"
 #include "foam/errors/Failures.H"
 #include "foam/MethodComparison.H"
-#include "foam/results/ColumnList.H"
+#include "foam/results/ColumnHelp.H"
 #include "functionObject.H"
 #include "fvMesh.H"
 #include "timeSelector.H"

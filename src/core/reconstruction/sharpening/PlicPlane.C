@@ -98,13 +98,13 @@ void CellShape::addFace(const CellComplex& complex, label facei, bool outwards)
     }
 }
 
-// The flux of (x - apex)/3 through the facets, cut off: with the apex on the plane
-// the polygon itself contributes nothing.
+// The flux of (x - referencePoint)/3 through the facets, cut off: with the
+// referencePoint on the plane the polygon itself contributes nothing.
 scalar
 CellShape::cut(const vector& normal, scalar offset, std::vector<Segment>& outline) const
 {
     outline.clear();
-    const point apex = offset * normal;
+    const point referencePoint = offset * normal;
     scalar flux = 0;
     static thread_local std::vector<point> kept;
     for (std::size_t i = 0; i + 1 < starts_.size(); ++i)
@@ -138,7 +138,8 @@ CellShape::cut(const vector& normal, scalar offset, std::vector<Segment>& outlin
         }
         for (std::size_t k = 1; k + 1 < kept.size(); ++k)
         {
-            flux += (kept[0] - apex) & ((kept[k] - kept[0]) ^ (kept[k + 1] - kept[0]));
+            flux += (kept[0] - referencePoint)
+                    & ((kept[k] - kept[0]) ^ (kept[k + 1] - kept[0]));
         }
         if (nCrossings == 2)
         {

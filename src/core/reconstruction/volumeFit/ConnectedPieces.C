@@ -51,13 +51,14 @@ scalar volumeWithin(
     const pointField& points
 )
 {
-    const point& apex = points[piece.points[0]];
+    const point& referencePoint = points[piece.points[0]];
     scalar sum = 0;
     for (const label trianglei : piece.triangles)
     {
         const triFace& t = triangles[trianglei];
-        const vector a = points[t[0]] - apex, b = points[t[1]] - apex,
-                     c = points[t[2]] - apex;
+        const vector a = points[t[0]] - referencePoint,
+                     b = points[t[1]] - referencePoint,
+                     c = points[t[2]] - referencePoint;
         sum += a & (b ^ c);
     }
     return sum / 6;

@@ -62,10 +62,10 @@ labelList pointNumbers(const SurfaceOrder& piece, const Exchange& exchange)
     const std::vector<List<point>> toNumber(exchange.exchangeLists(asked));
     for (label ranki = 0; ranki < nRanks; ++ranki)
     {
-        for (const point& seed : toNumber[ranki])
+        for (const point& startPosition : toNumber[ranki])
         {
             numbers[ranki].append(
-                known.insert({seed, label(known.size())}).first->second
+                known.insert({startPosition, label(known.size())}).first->second
             );
         }
     }

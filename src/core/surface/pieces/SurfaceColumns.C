@@ -2,6 +2,8 @@
 
 #include "core/surface/pieces/SurfaceColumns.H"
 
+#include <algorithm>
+
 namespace Foam::stability
 {
 
@@ -44,27 +46,55 @@ List<CornerIndices> weldCorners(
     return result;
 }
 
-// Adds a part to those before it; its indices follow theirs.
-struct Appending
+// Puts the columns of all parts one after the other; indices follow their values.
+struct Concatenating
 {
     SurfacePiece& all;
-    const SurfacePiece& part;
+    const std::vector<SurfacePiece>& parts;
 
     template<class Place, class Column>
     void operator()(Place, const Column& column) const
     {
-        column(all).append(column(part));
+        join(column);
     }
 
     template<class Values, class Indices>
     void operator()(OfCorners, const Values& values, const Indices& indices) const
     {
-        const label first = values(all).size(), firstTriangle = indices(all).size();
-        values(all).append(values(part));
-        indices(all).append(indices(part));
-        for (label i = firstTriangle; i < indices(all).size(); ++i)
+        join(values);
+        join(indices);
+        label firstValue = 0, next = 0;
+        for (const SurfacePiece& part : parts)
         {
-            for (label& index : indices(all)[i])
+            shift(indices(all), next, indices(part).size(), firstValue);
+            next += indices(part).size();
+            firstValue += values(part).size();
+        }
+    }
+
+    template<class Column>
+    void join(const Column& column) const
+    {
+        label n = 0;
+        for (const SurfacePiece& part : parts)
+        {
+            n += column(part).size();
+        }
+        column(all).setSize(n);
+        auto next = column(all).begin();
+        for (const SurfacePiece& part : parts)
+        {
+            next = std::copy(column(part).begin(), column(part).end(), next);
+        }
+    }
+
+    // Adds `first` to the indices of n triangles from the `start`-th on.
+    template<class Triangles>
+    static void shift(Triangles& triangles, label start, label n, label first)
+    {
+        for (label i = start; i < start + n; ++i)
+        {
+            for (label& index : triangles[i])
             {
                 index += index < 0 ? 0 : first;
             }
@@ -155,20 +185,17 @@ void selectColumns(
 SurfacePiece concatenated(const std::vector<SurfacePiece>& parts)
 {
     SurfacePiece all;
+    const Concatenating concatenating{all, parts};
+    concatenating.join([](auto& piece) -> auto& { return piece.mesh.triangles; });
+    label firstPoint = 0, next = 0;
     for (const SurfacePiece& part : parts)
     {
-        const label firstPoint = all.mesh.points.size();
-        const label firstTriangle = all.mesh.triangles.size();
-        all.mesh.triangles.append(part.mesh.triangles);
-        for (label i = firstTriangle; i < all.mesh.triangles.size(); ++i)
-        {
-            for (label& pointi : all.mesh.triangles[i])
-            {
-                pointi += firstPoint;
-            }
-        }
-        forEachColumn(Appending{all, part});
+        const label n = part.mesh.triangles.size();
+        Concatenating::shift(all.mesh.triangles, next, n, firstPoint);
+        next += n;
+        firstPoint += part.mesh.points.size();
     }
+    forEachColumn(concatenating);
     all.sharesPoints = !parts.empty() && parts[0].sharesPoints;
     return all;
 }

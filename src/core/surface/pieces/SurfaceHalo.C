@@ -52,8 +52,8 @@ SurfaceHalo::SurfaceHalo(
     const SurfacePiece& owned, const VoxelMask& wanted, const Exchange& exchange,
     const PeriodicImages* images
 )
-    : exchange_(exchange), nHeldPoints_(owned.mesh.points.size()),
-      nHeldTriangles_(owned.mesh.triangles.size()), sent_(exchange.nRanks())
+    : exchange_(exchange), nOwnedPoints_(owned.mesh.points.size()),
+      nOwnedTriangles_(owned.mesh.triangles.size()), sent_(exchange.nRanks())
 {
     std::vector<SurfacePiece> parts{owned};
     if (exchange.nRanks() > 1 || images)

@@ -2,7 +2,7 @@
 
 // The statistics of a surface in pieces are those of the whole, to the last bit.
 
-#include "core/comparison/StatisticsTables.H"
+#include "core/comparison/StabilityTables.H"
 #include "shapes/Surfaces.H"
 #include "shapes/ThreadRanks.H"
 

@@ -55,6 +55,8 @@ Classification seamed()
         }
     }
     mesh.setOrigins(mesh.points * 2.0);
+    mesh.origins.append(point(-7, 5, 3)); // of point 2, right of the seam
+    mesh.originCorners[2][0] = 6;
     mesh.cells = labelList(6, 0);
     mesh.cellSizes = scalarField(6, 0.3);
     mesh.cellSizes[4] = 0.7;
@@ -147,7 +149,12 @@ TEST(ResultSurfaces, arraysHaveTheirClassesAndSizes)
         EXPECT_EQ(arrayOf(surface, "cellSize").values[i], v == 4 ? 0.7 : 0.3);
         EXPECT_EQ(arrayOf(surface, "thin").values[i], v == 3);
         EXPECT_EQ(arrayOf(surface, "subGrid").values[i], v == 0);
-        EXPECT_EQ(arrayOf(surface, "origin").values[3 * i + 2], 0.2 * v);
+        // Triangle (2 4 3) and its corner (index 4 of p) are right of the seam.
+        const bool elsewhere =
+            v == 2 && arrayOf(surface, "parameter").values[2 * i] == 0.4;
+        const std::vector<double>& origin = arrayOf(surface, "origin").values;
+        EXPECT_EQ(origin[3 * i], elsewhere ? -7 : 2 * (v / 2));
+        EXPECT_EQ(origin[3 * i + 2], elsewhere ? 3 : 0.2 * v);
     }
     EXPECT_EQ(arrayOf(surface, "preimageCount").nComponents, 1);
     EXPECT_TRUE(arrayOf(surface, "component").integer);

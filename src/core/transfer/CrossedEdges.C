@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/transfer/SeamCuts.H"
+#include "core/transfer/CrossedEdges.H"
 
 #include <algorithm>
 #include <numeric>
@@ -9,7 +9,7 @@
 namespace Foam::stability
 {
 
-SeamCuts::SeamCuts(
+CrossedEdges::CrossedEdges(
     const InterfaceMesh& mesh, const List<Match>& matches, const List<SeamNode>& nodes,
     const SeamBisection& bisection, const TransferOptions& options
 )
@@ -27,7 +27,7 @@ SeamCuts::SeamCuts(
     }
 }
 
-void SeamCuts::setVertices(const InterfaceMesh& mesh, const List<Match>& matches)
+void CrossedEdges::setVertices(const InterfaceMesh& mesh, const List<Match>& matches)
 {
     const vectorField normals = mesh.pointNormals();
 #pragma omp parallel for schedule(static) num_threads(options_.nThreads)
@@ -41,7 +41,7 @@ void SeamCuts::setVertices(const InterfaceMesh& mesh, const List<Match>& matches
     }
 }
 
-void SeamCuts::insertNodes(const InterfaceMesh& mesh, const List<SeamNode>& nodes)
+void CrossedEdges::insertNodes(const InterfaceMesh& mesh, const List<SeamNode>& nodes)
 {
     if (nodes.empty() || mesh.empty())
     {
@@ -68,7 +68,7 @@ void SeamCuts::insertNodes(const InterfaceMesh& mesh, const List<SeamNode>& node
 }
 
 // `parts`: what earlier nodes have left of the triangle.
-void SeamCuts::insertNode(const SurfacePoint& foot, bool isEnd, labelList& parts)
+void CrossedEdges::insertNode(const SurfacePoint& foot, bool isEnd, labelList& parts)
 {
     label trianglei = -1;
     SurfacePoint at;
@@ -102,8 +102,22 @@ void SeamCuts::insertNode(const SurfacePoint& foot, bool isEnd, labelList& parts
         atEnd_[t[nearest]] = atEnd_[t[nearest]] || (isEnd && taken);
         return;
     }
+    const label vertexi = insertVertex(at, t, t[nearest]);
+    atEnd_[vertexi] = isEnd;
+    triangles_[trianglei] = triFace(t[0], t[1], vertexi);
+    for (label k = 1; k < 3; ++k)
+    {
+        parts.append(triangles_.size());
+        triangles_.push_back(triFace(t[k], t[(k + 1) % 3], vertexi));
+        parents_.push_back(parents_[trianglei]);
+    }
+}
 
-    // Off the edges, but by less than Algorithm 1 resolves.
+// The vertex lies off the edges, but by less than Algorithm 1 resolves.
+label CrossedEdges::insertVertex(
+    const SurfacePoint& at, const triFace& t, label nearest
+)
+{
     const scalar margin = 0.25 * options_.delta;
     scalar sum = 0;
     point x(Zero);
@@ -118,20 +132,12 @@ void SeamCuts::insertNode(const SurfacePoint& foot, bool isEnd, labelList& parts
     }
     x /= sum;
     normal /= mag(normal) + VSMALL;
-    const label vertexi = addVertex(
-        bisection_.locate(x, normal, vertices_[t[nearest]].seen.cellSize), t[nearest]
+    return addVertex(
+        bisection_.locate(x, normal, vertices_[nearest].seen.cellSize), nearest
     );
-    atEnd_[vertexi] = isEnd;
-    triangles_[trianglei] = triFace(t[0], t[1], vertexi);
-    for (label k = 1; k < 3; ++k)
-    {
-        parts.append(triangles_.size());
-        triangles_.push_back(triFace(t[k], t[(k + 1) % 3], vertexi));
-        parents_.push_back(parents_[trianglei]);
-    }
 }
 
-void SeamCuts::traceAll()
+void CrossedEdges::traceAll()
 {
     const List<triFace> triangles(triangles_.begin(), triangles_.end());
     const SurfaceTopology topology(vertices_.size(), triangles);
@@ -145,7 +151,9 @@ void SeamCuts::traceAll()
     trace(edges, boundary);
 }
 
-void SeamCuts::trace(const std::vector<Edge>& edges, const std::vector<char>& boundary)
+void CrossedEdges::trace(
+    const std::vector<Edge>& edges, const std::vector<char>& boundary
+)
 {
     std::vector<std::vector<SeamEvent>> events(edges.size());
 #pragma omp parallel for schedule(dynamic, 64) num_threads(options_.nThreads)
@@ -165,7 +173,7 @@ void SeamCuts::trace(const std::vector<Edge>& edges, const std::vector<char>& bo
     }
 }
 
-void SeamCuts::separate()
+void CrossedEdges::separate()
 {
     for (label depth = 0;; ++depth)
     {
@@ -198,7 +206,7 @@ void SeamCuts::separate()
 }
 
 // All seams on the edge become one cut.
-void SeamCuts::giveUp(const Edge& edge, CrossedEdge& crossed)
+void CrossedEdges::giveUp(const Edge& edge, CrossedEdge& crossed)
 {
     crossed.makeOne();
     if (crossed.events.empty())
@@ -224,7 +232,7 @@ void SeamCuts::giveUp(const Edge& edge, CrossedEdge& crossed)
 
 // A new vertex between two cuts (a second seam, 7.2 "both"), or where there is no p
 // (then the triangles around it count as attached).
-label SeamCuts::divideEdge(const Edge& edge, const CrossedEdge& crossed)
+label CrossedEdges::divideEdge(const Edge& edge, const CrossedEdge& crossed)
 {
     const std::vector<SeamEvent>& events = crossed.events;
     std::vector<std::size_t> gaps;
@@ -274,7 +282,7 @@ label SeamCuts::divideEdge(const Edge& edge, const CrossedEdge& crossed)
     return vertexi;
 }
 
-void SeamCuts::divideTriangles(const std::map<Edge, label>& newPoints)
+void CrossedEdges::divideTriangles(const std::map<Edge, label>& newPoints)
 {
     const auto position = [&](label i) -> const point& { return vertices_[i].seen.x; };
     std::set<Edge> newEdges;
@@ -320,7 +328,7 @@ void SeamCuts::divideTriangles(const std::map<Edge, label>& newPoints)
     trace(inner, std::vector<char>(inner.size(), 0));
 }
 
-label SeamCuts::addVertex(
+label CrossedEdges::addVertex(
     const SheetPoint& v, const Edge& edge, scalar share, bool boundary
 )
 {
@@ -333,17 +341,6 @@ label SeamCuts::addVertex(
         vertices_[vertexi].boundaryFace = vertices_[nearer].boundaryFace;
     }
     return vertexi;
-}
-
-label SeamCuts::addVertex(const SheetPoint& v, label nearVertex)
-{
-    SeamVertex vertex{v, vertices_[nearVertex].cell, -1};
-    bisection_.countPreimages(vertex.seen);
-    vertex.seen.cellSize = vertices_[nearVertex].seen.cellSize;
-    vertices_.push_back(vertex);
-    touched_.push_back(0);
-    atEnd_.push_back(0);
-    return vertices_.size() - 1;
 }
 
 } // namespace Foam::stability

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/comparison/StatisticsTables.H"
+#include "core/comparison/StabilityTables.H"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ valuesOf(const TableLayout<Statistics>& table, const Statistics& statistics)
 
 } // namespace
 
-TEST(StatisticsTables, namesTellTheirValues)
+TEST(StabilityTables, namesTellTheirValues)
 {
     Statistics s;
     s.time = 1.5;
@@ -79,7 +79,7 @@ TEST(StatisticsTables, namesTellTheirValues)
     EXPECT_EQ(valuesOf(stabilityTable(), s), expected);
 }
 
-TEST(StatisticsTables, survivalHasBothSidesByDistance)
+TEST(StabilityTables, survivalHasBothSidesByDistance)
 {
     Statistics s;
     s.time = 0.75;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/parametrization/Flattening.H"
+#include "core/parametrization/FlatteningMethods.H"
 
 #include "core/base/Errors.H"
 #include "core/parametrization/DiskCut.H"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/transfer/SeamTreatment.H"
+#include "core/transfer/SeamCutting.H"
 
 #include <algorithm>
 
 namespace Foam::stability
 {
 
-SeamTreatment::SeamTreatment(
+SeamCutting::SeamCutting(
     InterfaceMesh& mesh, List<Match>& matches, const MatchTarget& target,
     const CarriedOrigins& origins, const TransferSurroundings& around,
     const TransferOptions& options
@@ -19,7 +19,7 @@ SeamTreatment::SeamTreatment(
 {
 }
 
-TransferResult SeamTreatment::run()
+TransferResult SeamCutting::run()
 {
     countTriangles();
     cuts_.separate();
@@ -30,12 +30,12 @@ TransferResult SeamTreatment::run()
     return result_;
 }
 
-const SheetPoint& SeamTreatment::seen(label vertexi) const
+const SheetPoint& SeamCutting::seen(label vertexi) const
 {
     return cuts_.vertices()[vertexi].seen;
 }
 
-void SeamTreatment::countTriangles()
+void SeamCutting::countTriangles()
 {
     forAll(mesh_.triangles, trianglei)
     {
@@ -56,7 +56,7 @@ void SeamTreatment::countTriangles()
     }
 }
 
-void SeamTreatment::giveOwnParameters()
+void SeamCutting::giveOwnParameters()
 {
     for (const SeamVertex& v : cuts_.vertices())
     {
@@ -70,7 +70,7 @@ void SeamTreatment::giveOwnParameters()
 }
 
 // Points that cuts add have no p of their own, only one on each side.
-label SeamTreatment::ownParameter(label vertexi) const
+label SeamCutting::ownParameter(label vertexi) const
 {
     return vertexi < label(ownParameters_.size()) ? ownParameters_[vertexi]
                                                   : InterfaceMesh::noParameter;
@@ -78,7 +78,7 @@ label SeamTreatment::ownParameter(label vertexi) const
 
 // One index for all that agree at a vertex: a seam of the new mesh is exactly where
 // the indices on both sides of an edge differ.
-label SeamTreatment::parameterIndex(
+label SeamCutting::parameterIndex(
     label vertexi, const vector2D& p, const SheetPoint& side
 )
 {
@@ -103,7 +103,7 @@ label SeamTreatment::parameterIndex(
     return others.back();
 }
 
-void SeamTreatment::placeCuts()
+void SeamCutting::placeCuts()
 {
     for (const auto& [edge, crossed] : cuts_.edges())
     {
@@ -136,7 +136,7 @@ void SeamTreatment::placeCuts()
     }
 }
 
-void SeamTreatment::splitTriangles()
+void SeamCutting::splitTriangles()
 {
     triangles_ = cuts_.triangles();
     parents_ = cuts_.parents();
@@ -153,7 +153,7 @@ void SeamTreatment::splitTriangles()
             corners_[i][k] = ownParameter(a);
             if (cuts_.isCrossed(a, b))
             {
-                const Cut& cut = placed_.at(SeamCuts::edgeOf(a, b));
+                const Cut& cut = placed_.at(CrossedEdges::edgeOf(a, b));
                 cuts[k] = a < b ? EdgeCut{cut.point, cut.lower, cut.higher}
                                 : EdgeCut{cut.point, cut.higher, cut.lower};
                 isCut = true;
@@ -169,7 +169,7 @@ void SeamTreatment::splitTriangles()
 
 // The only cut of a triangle may lie on an edge to the very point where the seam ends:
 // it runs there along the edge, and the triangle is on one side.
-void SeamTreatment::endAtCorner(const triFace& t, FixedList<EdgeCut, 3>& cuts) const
+void SeamCutting::endAtCorner(const triFace& t, FixedList<EdgeCut, 3>& cuts) const
 {
     label nCuts = 0, k = 0;
     for (label i = 0; i < 3; ++i)
@@ -187,7 +187,7 @@ void SeamTreatment::endAtCorner(const triFace& t, FixedList<EdgeCut, 3>& cuts) c
     }
 }
 
-void SeamTreatment::replace(label trianglei, const std::vector<CutTriangle>& parts)
+void SeamCutting::replace(label trianglei, const std::vector<CutTriangle>& parts)
 {
     for (std::size_t j = 0; j < parts.size(); ++j)
     {
@@ -205,7 +205,7 @@ void SeamTreatment::replace(label trianglei, const std::vector<CutTriangle>& par
     }
 }
 
-void SeamTreatment::split(label trianglei, const FixedList<EdgeCut, 3>& cuts)
+void SeamCutting::split(label trianglei, const FixedList<EdgeCut, 3>& cuts)
 {
     const triFace t = triangles_[trianglei];
     const label middle = middleCorner(t, cuts);
@@ -240,7 +240,7 @@ void SeamTreatment::split(label trianglei, const FixedList<EdgeCut, 3>& cuts)
 // The corner to whose sheet the triangle in the middle of three cuts belongs: the sheet
 // of its centre, if the two of its points that lie on that sheet are far enough apart
 // to extrapolate p to the third.
-label SeamTreatment::middleCorner(const triFace& t, const FixedList<EdgeCut, 3>& cuts)
+label SeamCutting::middleCorner(const triFace& t, const FixedList<EdgeCut, 3>& cuts)
     const
 {
     if (!cuts[0].exists() || !cuts[1].exists() || !cuts[2].exists())
@@ -272,7 +272,7 @@ label SeamTreatment::middleCorner(const triFace& t, const FixedList<EdgeCut, 3>&
     return longest;
 }
 
-void SeamTreatment::carryOrigins()
+void SeamCutting::carryOrigins()
 {
     labelList anchors(mesh_.points.size());
     forAll(anchors, pointi)
@@ -282,7 +282,7 @@ void SeamTreatment::carryOrigins()
     origins_.give(mesh_, matches_, anchors, sides_, bisection_);
 }
 
-void SeamTreatment::countParts()
+void SeamCutting::countParts()
 {
     std::vector<label> nParts(mesh_.triangles.size(), 0);
     for (const label parent : parents_)
@@ -297,7 +297,7 @@ void SeamTreatment::countParts()
     result_.parents = labelList(parents_.begin(), parents_.end());
 }
 
-void SeamTreatment::writeBack()
+void SeamCutting::writeBack()
 {
     countParts();
     const label nOldPoints = mesh_.points.size(), nPoints = cuts_.vertices().size();

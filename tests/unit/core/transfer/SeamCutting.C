@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/transfer/SeamTreatment.H"
+#include "core/transfer/SeamCutting.H"
 
 #include "shapes/ChartedSurfaces.H"
 #include "shapes/OneRank.H"
@@ -203,7 +203,7 @@ void comeFromElsewhere(
 
 } // namespace
 
-TEST(SeamTreatment, oneSeamCutsAtItsPlace)
+TEST(SeamCutting, oneSeamCutsAtItsPlace)
 {
     const InterfaceMesh from = chartedSquare(halves);
     const InterfaceMesh to = jittered(9, 3);
@@ -245,7 +245,7 @@ TEST(SeamTreatment, oneSeamCutsAtItsPlace)
     }
 }
 
-TEST(SeamTreatment, withoutItTrianglesStretchOverTheCharts)
+TEST(SeamCutting, withoutItTrianglesStretchOverTheCharts)
 {
     TransferOptions options;
     options.seamTreatment = false;
@@ -265,7 +265,7 @@ TEST(SeamTreatment, withoutItTrianglesStretchOverTheCharts)
 
 // Nine charts; triangles larger and smaller than the charts, so that all patterns of
 // cuts come: several seams within an edge, junctions of four charts.
-TEST(SeamTreatment, manyCharts)
+TEST(SeamCutting, manyCharts)
 {
     const auto ninths = [](const point& x)
     {
@@ -303,7 +303,7 @@ TEST(SeamTreatment, manyCharts)
 }
 
 // Where three seams meet on T, M gets a vertex, and every part lies on one chart.
-TEST(SeamTreatment, threeChartsThatMeetInsideATriangle)
+TEST(SeamCutting, threeChartsThatMeetInsideATriangle)
 {
     const InterfaceMesh to = aroundTheOrigin();
     const Treated t = carry(chartedSquare(thirds), to);
@@ -318,7 +318,7 @@ TEST(SeamTreatment, threeChartsThatMeetInsideATriangle)
 
 // Three islands that touch have no such point: three cuts, and a triangle in the
 // middle whose third corner is extrapolated.
-TEST(SeamTreatment, threeIslandsThatMeetInsideATriangle)
+TEST(SeamCutting, threeIslandsThatMeetInsideATriangle)
 {
     const InterfaceMesh charted = chartedSquare(thirds);
     InterfaceMesh from;
@@ -351,7 +351,7 @@ TEST(SeamTreatment, threeIslandsThatMeetInsideATriangle)
     expectCharts(t.mesh, thirds, 1e-3 * chartScale);
 }
 
-TEST(SeamTreatment, twoSeamsWithinOneEdge)
+TEST(SeamCutting, twoSeamsWithinOneEdge)
 {
     const auto stripes = [](const point& x) {
         return x.x() < -0.25 ? 0 : x.x() < 0.25 ? 1 : 2;
@@ -373,7 +373,7 @@ TEST(SeamTreatment, twoSeamsWithinOneEdge)
 }
 
 // 7.2: with seams planted at .3 and .7 of an edge both are found.
-TEST(SeamTreatment, bisectionFindsEverySeam)
+TEST(SeamCutting, bisectionFindsEverySeam)
 {
     const auto stripes = [](const point& x) {
         return x.x() < -0.25 ? 0 : x.x() < 0.25 ? 1 : 2;
@@ -398,7 +398,7 @@ TEST(SeamTreatment, bisectionFindsEverySeam)
     EXPECT_EQ(bisection.cuts(a, a).size(), 0u);
 }
 
-TEST(SeamTreatment, attachmentBetweenTwoCharts)
+TEST(SeamCutting, attachmentBetweenTwoCharts)
 {
     const auto gap = [](const point& x) {
         return x.x() < -0.25 ? 0 : x.x() < 0.25 ? -1 : 2;
@@ -428,7 +428,7 @@ TEST(SeamTreatment, attachmentBetweenTwoCharts)
     EXPECT_GT(nMixed, 3);
 }
 
-TEST(SeamTreatment, aHoleThatOneCanWalkAroundIsNoSeam)
+TEST(SeamCutting, aHoleThatOneCanWalkAroundIsNoSeam)
 {
     const auto hole = [](const point& x)
     { return std::abs(x.x() - 0.12) < 0.13 && std::abs(x.y() - 0.12) < 0.13 ? -1 : 0; };
@@ -444,7 +444,7 @@ TEST(SeamTreatment, aHoleThatOneCanWalkAroundIsNoSeam)
     );
 }
 
-TEST(SeamTreatment, aCutNearACornerMovesIntoIt)
+TEST(SeamCutting, aCutNearACornerMovesIntoIt)
 {
     const scalar away = 2e-4; // less than snap times the edge
     const InterfaceMesh to = triangles(
@@ -474,7 +474,7 @@ TEST(SeamTreatment, aCutNearACornerMovesIntoIt)
 }
 
 // Seams of T are edges of M: every vertex there has both sides equally near.
-TEST(SeamTreatment, theSameSurfaceKeepsItsSeams)
+TEST(SeamCutting, theSameSurfaceKeepsItsSeams)
 {
     const auto quarters = [](const point& x)
     { return (x.x() < 0.25 ? 0 : 1) + (x.y() < -0.5 ? 0 : 3); };
@@ -490,7 +490,7 @@ TEST(SeamTreatment, theSameSurfaceKeepsItsSeams)
 }
 
 // A slit closes at its end: p is there on both sides the same.
-TEST(SeamTreatment, aSlitEndsWhereItEndsOnT)
+TEST(SeamCutting, aSlitEndsWhereItEndsOnT)
 {
     InterfaceMesh from = flatSheet(vector2D(-2, -2), vector2D(2, 2), 16, 16, 0, h);
     const auto sides = [](const point& x) { return x.y() > 0 ? 0 : 1; };
@@ -520,7 +520,7 @@ TEST(SeamTreatment, aSlitEndsWhereItEndsOnT)
 }
 
 // Two islands that have come to touch: there is no seam on T, but no way either.
-TEST(SeamTreatment, islandsThatMeetAreKeptApart)
+TEST(SeamCutting, islandsThatMeetAreKeptApart)
 {
     InterfaceMesh from = flatSheet(vector2D(-2, -2), vector2D(0.1, 2), 9, 16, 0, h);
     const InterfaceMesh other =
@@ -561,7 +561,7 @@ TEST(SeamTreatment, islandsThatMeetAreKeptApart)
 
 // The triangle beside a cut edge is split too, though it lacks p at a corner; new
 // points on the boundary know their face.
-TEST(SeamTreatment, neighboursShareTheCut)
+TEST(SeamCutting, neighboursShareTheCut)
 {
     InterfaceMesh to = triangles(
         pointField(List<point>{
@@ -595,7 +595,7 @@ TEST(SeamTreatment, neighboursShareTheCut)
     EXPECT_EQ(nBeside, 2);
 }
 
-TEST(SeamTreatment, doesNotDependOnThreads)
+TEST(SeamCutting, doesNotDependOnThreads)
 {
     const InterfaceMesh from = chartedSquare(halves), to = jittered(13, 6);
     TransferOptions options;
@@ -610,7 +610,7 @@ TEST(SeamTreatment, doesNotDependOnThreads)
 }
 
 // At a merger p and the origin jump together, so no triangle lies between two places.
-TEST(SeamTreatment, aMergerHasAnOriginOnEachSide)
+TEST(SeamCutting, aMergerHasAnOriginOnEachSide)
 {
     const auto halves = [](const point& x) { return x.x() > 0 ? 1 : 0; };
     const vector shift(0.3, 10, -4);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "foam/results/ColumnList.H"
+#include "foam/results/ColumnHelp.H"
 
-#include "core/comparison/StatisticsTables.H"
+#include "core/comparison/StabilityTables.H"
 #include "core/comparison/SubGridDroplets.H"
 #include "core/results/MethodScore.H"
 #include "foam/results/Timings.H"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "foam/case/StoredField.H"
+#include "foam/case/FieldReader.H"
 
 #include "core/base/Errors.H"
 #include "foam/errors/Failures.H"
@@ -31,7 +31,7 @@ private:
 } // namespace
 
 template<class FieldType>
-IOobject StoredField<FieldType>::at(const word& timeName) const
+IOobject FieldReader<FieldType>::at(const word& timeName) const
 {
     return IOobject(
         name_, timeName, mesh_, IOobject::MUST_READ, IOobject::NO_WRITE, false
@@ -39,19 +39,19 @@ IOobject StoredField<FieldType>::at(const word& timeName) const
 }
 
 template<class FieldType>
-bool StoredField<FieldType>::inMemory() const
+bool FieldReader<FieldType>::inMemory() const
 {
     return source_ == FieldSource::solver && mesh_.foundObject<FieldType>(name_);
 }
 
 template<class FieldType>
-bool StoredField<FieldType>::onDisk(const word& timeName) const
+bool FieldReader<FieldType>::onDisk(const word& timeName) const
 {
     return isFile(at(timeName).objectPath());
 }
 
 template<class FieldType>
-std::string StoredField<FieldType>::complaint(const word& timeName) const
+std::string FieldReader<FieldType>::complaint(const word& timeName) const
 {
     const regIOobject* registered =
         source_ == FieldSource::solver ? mesh_.findObject<regIOobject>(name_) : nullptr;
@@ -86,14 +86,14 @@ std::string StoredField<FieldType>::complaint(const word& timeName) const
 }
 
 template<class FieldType>
-tmp<FieldType> StoredField<FieldType>::get() const
+tmp<FieldType> FieldReader<FieldType>::get() const
 {
     return inMemory() ? tmp<FieldType>(mesh_.lookupObject<FieldType>(name_))
                       : read(mesh_.time().timeName());
 }
 
 template<class FieldType>
-tmp<FieldType> StoredField<FieldType>::read(const word& timeName) const
+tmp<FieldType> FieldReader<FieldType>::read(const word& timeName) const
 {
     const ThrowingErrors throwing;
     // Patch fields may compute on values that are not finite; that is told later.
@@ -111,8 +111,8 @@ tmp<FieldType> StoredField<FieldType>::read(const word& timeName) const
     }
 }
 
-template class StoredField<volScalarField>;
-template class StoredField<volVectorField>;
-template class StoredField<surfaceScalarField>;
+template class FieldReader<volScalarField>;
+template class FieldReader<volVectorField>;
+template class FieldReader<surfaceScalarField>;
 
 } // namespace Foam::stability

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/comparison/StatisticsTables.H"
+#include "core/comparison/StabilityTables.H"
 
 #include <sstream>
 
@@ -39,7 +39,7 @@ std::vector<TableColumn<Statistics>> stabilityColumns()
         {"coverage", "-", "fraction of the area of M with parameters", &S::coverage},
         {"particles", "-", "instability particles that were shed since the start",
          &S::nParticles},
-        {"mergedTriangles", "-", "triangles of M near several patches of T",
+        {"mergedTriangles", "-", "triangles of M near several sheets of T",
          &S::nMerged},
         {"splitTriangles", "-", "triangles of M that were split along seams",
          &S::nSplit},
