@@ -212,7 +212,7 @@ void AnalysisSession::writeTimings()
     folder_->writeTimings(timingRow_);
 }
 
-// What the busiest rank sent.
+// Each of the two numbers is the largest over all ranks.
 void AnalysisSession::tellMessages() const
 {
     const label n = max(nClassified_, label(1));

@@ -145,7 +145,8 @@ vtkDataArray* valuesOf(vtkPolyData& data, const char* name)
     return onePerPoint ? values : nullptr;
 }
 
-// What our own files tell beyond points and triangles.
+// Files that interfaceStability wrote may hold these arrays besides points and
+// triangles.
 void addArrays(vtkPolyData& data, GivenSurface& surface)
 {
     if (vtkDataArray* vertex = valuesOf(data, "vertex"))

@@ -12,7 +12,9 @@ namespace Foam::stability
 namespace
 {
 
-// Of other ranks' cells: what the points of own triangles depend on.
+// The points of owned triangles depend on this many rings of cells around the rank's
+// own cells; if the reconstruction changes in time, the one that needs most rings
+// decides.
 label nRings(const TrackerOptions& tracker)
 {
     constexpr label toSharpen = 3; // more
@@ -130,8 +132,8 @@ void CaseSnapshots::requireSame(const instantList& times) const
     );
 }
 
-// Where nobody said which times there will be: in a solver, or those on disk from now
-// on.
+// The velocity is chosen here if require() was not called: for a running solver or,
+// where the fields are read from disk, for the present time and the later ones there.
 void CaseSnapshots::chooseVelocity()
 {
     const Time& runTime = mesh_.time();

@@ -63,7 +63,8 @@ void correctVelocity(
     }
 }
 
-// Of all faces, in the order of the mesh.
+// The values are those of all internal faces, then of all boundary faces, in the order
+// of the mesh.
 scalarField faceValues(const surfaceScalarField& field)
 {
     scalarField values(field.primitiveField());

@@ -184,7 +184,8 @@ void interfaceStability::classify()
     );
 }
 
-// Where other function objects find them, runTimeControl above all.
+// The results are published so that other function objects can read them, above all
+// runTimeControl.
 void interfaceStability::publish(const stability::Statistics& statistics)
 {
     for (const auto& column : stability::stabilityTable().columns)

@@ -30,7 +30,8 @@ const cyclicPolyPatch& cyclicOf(const polyPatch& patch)
                                                 : refCast<const cyclicPolyPatch>(patch);
 }
 
-// Of both halves the one that OpenFOAM calls the owner.
+// Both halves of a cyclic pair return the index of the half that OpenFOAM calls the
+// owner.
 label pairOf(const cyclicPolyPatch& patch)
 {
     return patch.owner() ? patch.index() : patch.neighbPatchID();

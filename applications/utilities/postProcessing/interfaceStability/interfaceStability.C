@@ -69,7 +69,8 @@ namespace
 
 const word folderName("interfaceStability");
 
-// Of all start times, as writeFile::baseFileDir() of the function object.
+// The folder holds the results of all start times. It is the one that the function
+// object of this name uses, as writeFile::baseFileDir() gives it.
 fileName resultFolder(const fvMesh& mesh, const word& name)
 {
     const fileName all(mesh.time().globalPath() / functionObject::outputPrefix);

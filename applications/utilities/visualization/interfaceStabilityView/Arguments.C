@@ -173,7 +173,7 @@ void understand(Arguments& arguments, const Texts& texts)
     }
 }
 
-// What is no option: the folder, at most one.
+// The argument that is not an option is the folder; there is at most one.
 void readFolder(Arguments& arguments, Parser& parser, const std::string& caseFolder)
 {
     int count = 0;
