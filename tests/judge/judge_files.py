@@ -151,9 +151,13 @@ def check_weld(findings, surface):
     twins = first[ids]
     same = np.array_equal(surface.points, surface.points[twins])
     for array in ARRAYS["interface"]:
-        if array in surface.arrays and array not in ("TCoords", "parameter"):
+        if array in surface.arrays and array not in ("TCoords", "parameter", "origin"):
             same = same and np.array_equal(surface[array], surface[array][twins])
     findings.require("vertex welds equal points", same, surface.path.name)
+    if "origin" in surface.arrays:
+        p, origin = surface["parameter"], surface["origin"]
+        jumps = np.any(origin != origin[twins], axis=1) & np.all(p == p[twins], axis=1)
+        findings.require("the origin jumps only where p does", not jumps.any(), surface.path.name)
 
 
 def edges_of(triangles):
