@@ -71,10 +71,10 @@ keepOwn(SurfacePiece& piece, const InterfaceMesh& extracted, const CellComplex& 
             own.append(i);
         }
     }
-    piece = SurfacePiece();
     labelList kept;
     {
         SurfacePiece all(wholeSurface(extracted));
+        all.sharesPoints = piece.sharesPoints; // as the method says
         all.mesh.clearParametrization();
         piece = partOf(all, own, &kept);
     }
