@@ -121,7 +121,10 @@ TEST(InterfaceOrder, aPieceExtractsWhatTheWholeHas)
             const InterfaceMesh extracted(reconstruction->extract(*piece).mesh);
             const label before = extracted.triangles.size();
             SurfacePiece own;
+            const bool sharesPoints = reconstructionMethod(method).sharesPoints;
+            own.sharesPoints = sharesPoints;
             const labelList kept(keepOwn(own, extracted, *piece->complex));
+            EXPECT_EQ(own.sharesPoints, sharesPoints);
             const InterfaceMesh& part = own.mesh;
             EXPECT_LT(part.triangles.size(), before);
             EXPECT_EQ(kept.size(), part.points.size());
