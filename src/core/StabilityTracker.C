@@ -7,6 +7,7 @@
 #include "core/parametrization/FlatteningMethods.H"
 #include "core/ranks/ExactSum.H"
 #include "core/reconstruction/NoiseFloor.H"
+#include "core/surface/pieces/SharedPoints.H"
 
 #include <algorithm>
 #include <sstream>
@@ -152,6 +153,7 @@ StabilityTracker::Extracted StabilityTracker::extract()
     enter(Phase::reconstruction);
     const ScopedTimer watch(timings_.reconstruction);
     Extracted extracted;
+    List<NamedPoint> shared;
     runOnAllRanks(
         exchange_,
         [&]
@@ -167,9 +169,11 @@ StabilityTracker::Extracted StabilityTracker::extract()
             extracted.spread = result.sharpening
                                    ? scalarField(result.sharpening->spread, kept)
                                    : scalarField(kept.size(), 0);
+            shared = sharedPoints(result.mesh, kept, complex());
             result.mesh = InterfaceMesh();
         }
     );
+    agreeOnPoints(extracted.piece, extracted.spread, shared, exchange_);
     List<ExactSum> volumes(2);
     volumes[0].add(extracted.result.volume);
     volumes[1].add(extracted.result.alphaVolume);

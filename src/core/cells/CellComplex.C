@@ -30,16 +30,6 @@ scalar tetQuality(const point& apex, const point& a, const point& b, const point
     return ((da ^ db) & dc) / max(pow3(longest), VSMALL);
 }
 
-scalar shareOfTetrahedra(const Rows& cellFaces)
-{
-    label n = 0;
-    for (label celli = 0; celli < cellFaces.size(); ++celli)
-    {
-        n += cellFaces[celli].size() == 4;
-    }
-    return scalar(n) / cellFaces.size();
-}
-
 } // namespace
 
 Rows facesOfCells(const CellComplexInput& mesh)
@@ -91,7 +81,6 @@ CellComplex::CellComplex(CellComplexInput input) : input_(std::move(input))
     {
         input_.whole.emplace();
         input_.whole->bounds = bounds_;
-        input_.whole->tetrahedra = shareOfTetrahedra(cellFaces_);
     }
 }
 

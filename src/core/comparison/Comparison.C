@@ -4,6 +4,7 @@
 
 #include "core/ranks/ExactSum.H"
 #include "core/surface/InterfaceMotion.H"
+#include "core/surface/pieces/SharedPoints.H"
 
 #include <algorithm>
 
@@ -204,7 +205,12 @@ ClassifiedSurface Comparison::describeInterface(std::vector<Droplet>& droplets) 
     ));
     InterfaceMesh mesh(split_);
     useGlobalCells(mesh, setting_.complex());
-    const JoinedSurface own(ownParts(mesh, parents_, near_, own_));
+    JoinedSurface own(ownParts(mesh, parents_, near_, own_));
+    const List<NamedPoint> shared(makeOnAllRanks(
+        setting_.run.ranks,
+        [&] { return sharedPoints(own, mesh, parents_, near_, own_); }
+    ));
+    agreeOnPoints(own.piece, shared, setting_.run.ranks);
     select(interface, own.pointSources);
     interface.order = own.piece;
     interface.mesh = own.piece.mesh;

@@ -134,6 +134,11 @@ joined(const InterfaceMesh& mesh, const List<Patch>& patches, const List<Piece>&
     }
     surface.setOrigins(surface.points);
     result.startPositions = surface.points;
+    result.pointKeys.setSize(nPoints);
+    forAll(result.pointKeys, i)
+    {
+        result.pointKeys[i].number = i; // no rank shares them
+    }
     return result;
 }
 

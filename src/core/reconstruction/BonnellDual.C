@@ -39,21 +39,23 @@ struct Spoke
 class DualExtraction
 {
 public:
-    DualExtraction(const CellComplex& complex, const VolumeFractions& fractions)
-        : complex_(complex), fractions_(fractions),
+    DualExtraction(
+        const CellComplex& complex, const VolumeFractions& fractions, MarchingTets& tets
+    )
+        : complex_(complex), fractions_(fractions), tets_(tets),
           quantum_(1e-6 * complex.whole().bounds.mag()),
           active_(complex.nPoints(), false)
     {
     }
 
-    void cutInto(MarchingTets& tets)
+    void run()
     {
         for (label pointi = 0; pointi < complex_.nPoints(); ++pointi)
         {
             active_[pointi] = isKnown(pointi) && differs(pointi);
             if (active_[pointi])
             {
-                cutDualCell(pointi, tets);
+                cutDualCell(pointi);
             }
         }
         for (label facei = complex_.nInternalFaces(); facei < complex_.nFaces();
@@ -61,7 +63,7 @@ public:
         {
             if (complex_.hasAllNeighbours(complex_.owner()[facei]))
             {
-                closeFace(facei, tets);
+                closeFace(facei);
             }
         }
     }
@@ -131,13 +133,6 @@ private:
     Vertex atBoundaryEdge(label a, label b)
     {
         const edge e(min(a, b), max(a, b));
-        if (!edgeIds_.found(e))
-        {
-            edgeIds_.insert(
-                e, complex_.nPoints() + complex_.nCells() + complex_.nBoundaryFaces()
-                       + edgeIds_.size()
-            );
-        }
         DynamicList<label> faces;
         for (const label facei : complex_.pointBoundaryFaces()[e.first()])
         {
@@ -148,7 +143,7 @@ private:
         }
         const pointField& x = complex_.points();
         return {
-            edgeIds_[e], meanOfFaces(labelList(faces)),
+            tets_.idOfMiddle(e), meanOfFaces(labelList(faces)),
             0.5 * (x[e.first()] + x[e.second()])};
     }
 
@@ -239,7 +234,7 @@ private:
         return atCell(celli);
     }
 
-    void cutDualCell(label pointi, MarchingTets& tets)
+    void cutDualCell(label pointi)
     {
         const Vertex apex = apexOf(pointi);
         findSpokes(pointi, spokes_);
@@ -257,7 +252,7 @@ private:
             {
                 for (const Spoke& spoke : ring)
                 {
-                    cutTet(apex, pivot, spoke, complex_.pointCells()[pointi], tets);
+                    cutTet(apex, pivot, spoke, complex_.pointCells()[pointi]);
                 }
             }
             begin = end;
@@ -268,7 +263,7 @@ private:
     // direction is crossed right-handed from its owner to its neighbour.
     void cutTet(
         const Vertex& apex, const Vertex& pivot, const Spoke& spoke,
-        const UList<label>& cells, MarchingTets& tets
+        const UList<label>& cells
     )
     {
         const bool internal = spoke.facei < complex_.nInternalFaces();
@@ -281,18 +276,18 @@ private:
             {
                 std::swap(x, y);
             }
-            tets.cut({apex, pivot, x, y}, cells);
+            tets_.cut({apex, pivot, x, y}, cells);
         }
     }
 
-    void closeFace(label facei, MarchingTets& tets)
+    void closeFace(label facei)
     {
         const face& f = complex_.faces()[facei];
         if (std::none_of(f.begin(), f.end(), [&](label p) { return active_[p]; }))
         {
             if (cellInside(complex_.owner()[facei]))
             {
-                tets.closeWhole(facei);
+                tets_.closeWhole(facei);
             }
             return;
         }
@@ -300,16 +295,16 @@ private:
         forAll(f, k)
         {
             const Vertex corner = atBoundaryPoint(f[k]);
-            tets.close({corner, atBoundaryEdge(f[k], f.nextLabel(k)), centre}, facei);
-            tets.close({corner, centre, atBoundaryEdge(f[k], f.prevLabel(k))}, facei);
+            tets_.close({corner, atBoundaryEdge(f[k], f.nextLabel(k)), centre}, facei);
+            tets_.close({corner, centre, atBoundaryEdge(f[k], f.prevLabel(k))}, facei);
         }
     }
 
     const CellComplex& complex_;
     const VolumeFractions& fractions_;
+    MarchingTets& tets_;
     scalar quantum_; // [m]
     std::vector<bool> active_;
-    EdgeMap<label> edgeIds_; // of the middles of boundary edges
     DynamicList<Spoke> spokes_;
 };
 
@@ -319,7 +314,7 @@ ReconstructionResult BonnellDual::extract(const FlowSnapshot& snapshot) const
 {
     const VolumeFractions fractions(snapshot);
     MarchingTets tets(*snapshot.complex);
-    DualExtraction(*snapshot.complex, fractions).cutInto(tets);
+    DualExtraction(*snapshot.complex, fractions, tets).run();
     return finish(tets, *snapshot.complex, fractions.volume, options_);
 }
 

@@ -97,28 +97,18 @@ CellComplexInput complexInput(const fvMesh& mesh)
     return input;
 }
 
-WholeMesh wholeOf(
-    const CellComplexInput& own, const Rows& cellFaces, const RankMessages& messages
-)
+WholeMesh wholeOf(const CellComplexInput& own, const RankMessages& messages)
 {
-    label nTetrahedra = 0;
-    for (label celli = 0; celli < cellFaces.size(); ++celli)
-    {
-        nTetrahedra += cellFaces[celli].size() == 4;
-    }
     Packet packet;
     packet.put(boundBox(own.points, false));
-    packet.put(nTetrahedra);
-    packet.put(cellFaces.size());
+    packet.put(own.nCells);
     WholeMesh whole;
     whole.firstCells = labelList(1, label(0));
     for (Packet& of : messages.toAll(packet))
     {
         whole.bounds.add(of.get<boundBox>());
-        whole.tetrahedra += of.get<label>();
         whole.firstCells.append(whole.firstCells.last() + of.get<label>());
     }
-    whole.tetrahedra /= max(whole.firstCells.last(), label(1));
     return whole;
 }
 
@@ -141,7 +131,7 @@ RankCells::RankCells(const fvMesh& mesh, const RankMessages& messages, label nRi
     const CellComplexInput own(ownPiece(mesh));
     const bool alone = messages.nRanks() == 1 && !images_;
     const Rows cellFaces(facesOfCells(own));
-    WholeMesh whole(wholeOf(own, cellFaces, messages));
+    WholeMesh whole(wholeOf(own, messages));
     whole.images = images_;
     CellComplexInput all(assemble(
         fetchRings(own, images_.get(), messages, alone ? 0 : nRings), own.patchNames,

@@ -27,23 +27,22 @@ std::uint64_t keyOf(std::int64_t i, std::int64_t j, std::int64_t k)
 
 } // namespace
 
-FitBlend::FitBlend(const UList<InterfaceFit>& fits, scalar reach)
-    : fits_(fits), reach_(reach)
+FitBlend::FitBlend(const UList<InterfaceFit>& fits) : fits_(fits)
 {
     scalar smallest = GREAT;
     for (const InterfaceFit& fit : fits)
     {
-        smallest = fit.weight > 0 ? std::min(smallest, fit.size) : smallest;
+        smallest = fit.weight > 0 ? std::min(smallest, fit.reach) : smallest;
     }
     const auto levelOf = [&](const InterfaceFit& fit)
-    { return std::size_t(std::ilogb(fit.size / smallest)); };
+    { return std::size_t(std::ilogb(fit.reach / smallest)); };
     for (const InterfaceFit& fit : fits)
     {
         if (fit.weight > 0)
         {
             levels_.resize(std::max(levels_.size(), levelOf(fit) + 1));
             scalar& width = levels_[levelOf(fit)].width;
-            width = std::max(width, reach * fit.size);
+            width = std::max(width, fit.reach);
         }
     }
     forAll(fits, i)
@@ -57,7 +56,7 @@ FitBlend::FitBlend(const UList<InterfaceFit>& fits, scalar reach)
                     boxOf(x.x(), level.width), boxOf(x.y(), level.width),
                     boxOf(x.z(), level.width)
                 )]
-                .push_back({x, reach * fits[i].size, i});
+                .push_back({x, fits[i].reach, i});
         }
     }
 }
@@ -109,7 +108,7 @@ BlendedDistance FitBlend::at(const point& x, const vector& normal) const
     vector gradients(Zero);
     const auto blend = [&](const InterfaceFit& fit)
     {
-        const scalar q = mag(x - fit.centre) / (reach_ * fit.size);
+        const scalar q = mag(x - fit.centre) / fit.reach;
         if (q >= 1 || (fit.normal & normal) < smallestAlignment)
         {
             return;

@@ -66,9 +66,7 @@ private:
         {
             if (carriesInterface(stencil, celli))
             {
-                InterfaceFit fit;
-                fit.cell = celli;
-                fit.size = spanOf(complex_, celli);
+                InterfaceFit fit(fitOf(celli));
                 const vector g =
                     gradientOver(complex_, stencil.rings(celli, 1), alpha_, fit.size);
                 constexpr scalar roundOff = 1e-9; // of a gradient that is none
@@ -80,6 +78,18 @@ private:
             }
         }
         result_.nCells = result_.fits.size();
+    }
+
+    InterfaceFit fitOf(label celli) const
+    {
+        constexpr scalar inHexahedra = 2, elsewhere = 1.6; // in sizes
+        InterfaceFit fit;
+        fit.cell = celli;
+        fit.size = spanOf(complex_, celli);
+        fit.reach =
+            fit.size
+            * (complex_.cellFaces()[celli].size() == 6 ? inHexahedra : elsewhere);
+        return fit;
     }
 
     // Adds the faces across which the fraction jumps from 1 to 0, as at every start
@@ -102,9 +112,7 @@ private:
             plane.centre = complex_.faceCentres()[facei];
             plane.secondMoment = momentOf(facei, plane);
             plane.converged = true;
-            InterfaceFit fit;
-            fit.cell = owner;
-            fit.size = spanOf(complex_, owner);
+            InterfaceFit fit(fitOf(owner));
             fit.setPlane(plane.centre, plane.normal);
             fit.weight = plane.area / sqr(fit.size);
             result_.fits.append(fit);

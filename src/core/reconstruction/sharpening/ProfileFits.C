@@ -88,6 +88,7 @@ private:
                 InterfaceFit fit;
                 fit.cell = celli;
                 fit.size = spanOf(complex_, celli);
+                fit.reach = 2 * fit.size;
                 result_.fits.append(fit);
             }
         }

@@ -20,19 +20,6 @@ namespace Foam::stability
 namespace
 {
 
-// How far fits have a say, in their sizes.
-constexpr scalar reachInHexahedra = 2;
-constexpr scalar reachElsewhere = 1.6;
-
-bool allHexahedra(const CellComplex& complex, const UList<InterfaceFit>& fits)
-{
-    return std::all_of(
-        fits.begin(), fits.end(),
-        [&](const InterfaceFit& fit)
-        { return complex.cellFaces()[fit.cell].size() == 6; }
-    );
-}
-
 class Sharpener
 {
 public:
@@ -123,8 +110,7 @@ private:
         if (kind_ != Sharpening::profile)
         {
             plic_ = fitPlic(complex_, fractions_, nThreads_);
-            const bool regular = allHexahedra(complex_, plic_.fits);
-            plicBlend_.emplace(plic_.fits, regular ? reachInHexahedra : reachElsewhere);
+            plicBlend_.emplace(plic_.fits);
         }
         const PointSharpener plicAlone(plicBlend_ ? &*plicBlend_ : nullptr, nullptr);
         const label n = starts_.size();
@@ -140,7 +126,7 @@ private:
         if (kind_ != Sharpening::plic && nDoubtful > 0)
         {
             profile_ = fitProfiles(complex_, fractions_, nThreads_, ringsOfFits());
-            profileBlend_.emplace(profile_.fits, reachInHexahedra);
+            profileBlend_.emplace(profile_.fits);
         }
         result_.nFits = plic_.fits.size() + profile_.fits.size();
         result_.nFailed = plic_.nFailed + profile_.nFailed;
