@@ -185,7 +185,7 @@ void MarchingTets::close(const FixedList<Vertex, 3>& triangle, label facei)
     }
     const point& a = triangle[0].position;
     const vector area = 0.5 * ((triangle[1].position - a) ^ (triangle[2].position - a));
-    boundaryFlux_ += share * ((a - complex_.whole().bounds.centre()) & area);
+    boundaryVolume_.add(share * ((a - complex_.whole().bounds.centre()) & area) / 3);
 }
 
 void MarchingTets::closeWhole(label facei)
@@ -193,7 +193,7 @@ void MarchingTets::closeWhole(label facei)
     const vector arm = complex_.faceCentres()[facei] - complex_.whole().bounds.centre();
     if (complex_.own(complex_.owner()[facei]))
     {
-        boundaryFlux_ += arm & complex_.faceAreas()[facei];
+        boundaryVolume_.add((arm & complex_.faceAreas()[facei]) / 3);
     }
 }
 
@@ -210,10 +210,10 @@ void MarchingTets::markBoundary(
     }
 }
 
-scalar MarchingTets::volume() const
+ExactSum MarchingTets::volume() const
 {
     const point origin = complex_.whole().bounds.centre();
-    scalar flux = boundaryFlux_;
+    ExactSum sum(boundaryVolume_);
     forAll(triangles_, trianglei)
     {
         if (!complex_.own(triangleCells_[trianglei]))
@@ -224,9 +224,9 @@ scalar MarchingTets::volume() const
         const vector a = points_[t[0]] - origin;
         const vector b = points_[t[1]] - origin;
         const vector c = points_[t[2]] - origin;
-        flux += 0.5 * (a & (b ^ c));
+        sum.add((a & (b ^ c)) / 6);
     }
-    return flux / 3;
+    return sum;
 }
 
 InterfaceMesh MarchingTets::takeMesh()
