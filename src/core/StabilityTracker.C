@@ -21,8 +21,12 @@ StabilityTracker::StabilityTracker(
 )
     : options_(options), exchange_(exchange), particles_(options.maxParticles)
 {
-    makeReconstructions();
-    Flattening::New(options.parametrization.flattening); // throws for unknown names
+    const auto prepare = [&]
+    {
+        makeReconstructions();
+        Flattening::New(options.parametrization.flattening); // throws for unknown names
+    };
+    runOnAllRanks(exchange, prepare);
     options_.integration.nThreads = options.nThreads;
 }
 
@@ -148,40 +152,15 @@ scalar StabilityTracker::displacement()
     return timeSurface_.displacement(complex(), exchange_);
 }
 
-StabilityTracker::Extracted StabilityTracker::extract()
+ExtractedSurface StabilityTracker::extract()
 {
     enter(Phase::reconstruction);
     const ScopedTimer watch(timings_.reconstruction);
-    Extracted extracted;
-    List<NamedPoint> shared;
-    runOnAllRanks(
-        exchange_,
-        [&]
-        {
-            ReconstructionResult& result = extracted.result;
-            result = reconstructions_[activeSettings()]->extract(*latest_);
-            extracted.piece.sharesPoints =
-                reconstructionMethod(settings_[activeSettings()].reconstruction.method)
-                    .sharesPoints;
-            const labelList kept(
-                stability::keepOwn(extracted.piece, result.mesh, complex())
-            );
-            extracted.spread = result.sharpening
-                                   ? scalarField(result.sharpening->spread, kept)
-                                   : scalarField(kept.size(), 0);
-            shared = sharedPoints(result.mesh, kept, complex());
-            result.mesh = InterfaceMesh();
-        }
+    const std::size_t i = activeSettings();
+    return extractSurface(
+        *reconstructions_[i], settings_[i].reconstruction, latest_,
+        Run{exchange_, options_.nThreads}
     );
-    agreeOnPoints(extracted.piece, extracted.spread, shared, exchange_);
-    List<ExactSum> volumes(2);
-    volumes[0].add(extracted.result.volume);
-    volumes[1].add(extracted.result.alphaVolume);
-    sum(volumes, exchange_);
-    extracted.result.volume = volumes[0].value();
-    extracted.result.alphaVolume = volumes[1].value();
-    extracted.result.nFailed = exchange_.total(extracted.result.nFailed);
-    return extracted;
 }
 
 // Step 1 of the method (paper 4.2): the first interface there is gets p, and T starts
@@ -222,7 +201,7 @@ void StabilityTracker::startSurface(const SurfacePiece& interface)
 }
 
 // Step 4 of the method, and the particles of step 5.
-void StabilityTracker::compare(const Extracted& extracted)
+void StabilityTracker::compare(const ExtractedSurface& extracted)
 {
     enter(Phase::matching);
     std::optional<ScopedTimer> watch(timings_.matching);
@@ -246,7 +225,7 @@ void StabilityTracker::compare(const Extracted& extracted)
 }
 
 void StabilityTracker::estimateNoiseFloor(
-    const Extracted& fresh, const SurfaceHalo& halo
+    const ExtractedSurface& fresh, const SurfaceHalo& halo
 )
 {
     result_.statistics.noiseFloor = noiseFloor(
@@ -258,7 +237,7 @@ void StabilityTracker::estimateNoiseFloor(
     );
 }
 
-void StabilityTracker::computeStatistics(const Extracted& extracted)
+void StabilityTracker::computeStatistics(const ExtractedSurface& extracted)
 {
     enter(Phase::statistics);
     const ScopedTimer watch(timings_.statistics);
@@ -328,7 +307,7 @@ const Classification& StabilityTracker::classify()
     result_.timeSurfaceCounts = sumOf(std::exchange(surfaceCounts_, {}));
     result_.particleCounts = sumOf(std::exchange(particleCounts_, {}));
 
-    Extracted extracted(extract());
+    const ExtractedSurface extracted(extract());
     const bool begins =
         !parametrized_ && exchange_.total(extracted.piece.mesh.triangles.size()) > 0;
     if (begins && nClassified_ == 0)

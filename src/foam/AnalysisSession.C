@@ -93,6 +93,11 @@ void AnalysisSession::prepareResults()
 
 void AnalysisSession::advance()
 {
+    runOnAllRanks(messages_, [&] { takeStep(); });
+}
+
+void AnalysisSession::takeStep()
+{
     const ScopedTimer busy(busySeconds_);
     phase_ = Phase::reading;
     time_ = snapshots_.time();
@@ -124,10 +129,17 @@ bool AnalysisSession::isClassified() const
 scalar AnalysisSession::displacement()
 {
     const ScopedTimer busy(busySeconds_);
-    return tracker_.started() ? tracker_.displacement() : 0;
+    return !tracker_.started()
+               ? 0
+               : makeOnAllRanks(messages_, [&] { return tracker_.displacement(); });
 }
 
 void AnalysisSession::classify()
+{
+    runOnAllRanks(messages_, [&] { compare(); });
+}
+
+void AnalysisSession::compare()
 {
     if (!tracker_.started() || isClassified())
     {
@@ -177,8 +189,14 @@ void AnalysisSession::writeFiles()
     }
     const ScopedTimer busy(busySeconds_);
     filesWritten_ = true;
-    runOnAllRanks(messages_, [&] { enter(Phase::writing); });
-    writeTurns();
+    runOnAllRanks(
+        messages_,
+        [&]
+        {
+            enter(Phase::writing);
+            writeTurns();
+        }
+    );
 }
 
 void AnalysisSession::writeTurns()

@@ -76,23 +76,6 @@ public:
     label nRanks() const override { return board_.nRanks(); }
     label rank() const override { return rank_; }
 
-    std::vector<Packet> exchange(std::vector<Packet> toRanks) const override
-    {
-        return board_.exchange(rank_, std::move(toRanks));
-    }
-
-    label total(label value) const override
-    {
-        Packet packet;
-        packet.put(value);
-        label sum = 0;
-        for (Packet& other : toAll(packet))
-        {
-            sum += other.get<label>();
-        }
-        return sum;
-    }
-
     std::string firstNonEmpty(const std::string& text) const override
     {
         Packet packet;
@@ -100,7 +83,7 @@ public:
         {
             packet.put(c);
         }
-        for (const Packet& other : toAll(packet))
+        for (const Packet& other : send(std::vector<Packet>(nRanks(), packet)))
         {
             if (!other.empty())
             {
@@ -111,6 +94,23 @@ public:
     }
 
 private:
+    std::vector<Packet> send(std::vector<Packet> toRanks) const override
+    {
+        return board_.exchange(rank_, std::move(toRanks));
+    }
+
+    label sumOf(label value) const override
+    {
+        Packet packet;
+        packet.put(value);
+        label sum = 0;
+        for (Packet& other : send(std::vector<Packet>(nRanks(), packet)))
+        {
+            sum += other.get<label>();
+        }
+        return sum;
+    }
+
     Board& board_;
     label rank_;
 };

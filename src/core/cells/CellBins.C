@@ -9,6 +9,10 @@ namespace Foam::stability
 
 CellBins::CellBins(const CellComplex& complex) : box_(complex.bounds())
 {
+    if (complex.nCells() == 0)
+    {
+        return;
+    }
     const scalar volume = max(sum(complex.cellVolumes()), VSMALL);
     const scalar spacing = 2 * std::cbrt(volume / complex.nCells());
     for (direction d = 0; d < 3; ++d)
@@ -64,6 +68,10 @@ label CellBins::index(const Bin& bin) const
 
 label CellBins::find(const CellComplex& complex, const point& x) const
 {
+    if (complex.nCells() == 0)
+    {
+        return -1;
+    }
     const Bin bin = at(x);
     for (const label celli : cells_[index(bin)])
     {

@@ -62,7 +62,7 @@ Rows facesOfCells(const CellComplexInput& mesh)
 
 CellComplex::CellComplex(CellComplexInput input) : input_(std::move(input))
 {
-    if (input_.nCells == 0)
+    if (input_.nCells == 0 && !(input_.whole && input_.whole->nCells() > 0))
     {
         throw BadInput("The mesh has no cells: nothing can be analysed on it.");
     }

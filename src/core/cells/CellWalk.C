@@ -222,6 +222,11 @@ Location locate(const CellComplex& complex, const point& x, CellHint& hint)
         return location;
     }
 
+    if (complex.nCells() == 0)
+    {
+        return location;
+    }
+
     CellTet tet;
     bool open = false;
     Ended ended = find(complex, x, hint, tet);

@@ -46,11 +46,11 @@ std::shared_ptr<const FlowSnapshot> fractionsAround(
     label nRings, const Exchange& exchange
 )
 {
-    if (exchange.nRanks() == 1)
+    const CellComplex& complex = *snapshot->complex;
+    if (exchange.nRanks() == 1 && !complex.whole().images)
     {
         return snapshot;
     }
-    const CellComplex& complex = *snapshot->complex;
     std::vector<DynamicList<label>> requests(exchange.nRanks());
     for (const label celli : cells)
     {

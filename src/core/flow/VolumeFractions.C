@@ -93,7 +93,10 @@ VolumeFractions::VolumeFractions(const FlowSnapshot& snapshot)
     const scalarField& V = snapshot.complex->cellVolumes();
     forAll(cells, celli)
     {
-        volume += snapshot.complex->own(celli) ? cells[celli] * V[celli] : 0;
+        if (snapshot.complex->own(celli))
+        {
+            volume.add(cells[celli] * V[celli]);
+        }
     }
 }
 

@@ -64,7 +64,9 @@ scalar areaRatioOf(const PlainSurface& disk, const List<vector2D>& parameters)
     return largest / smallest;
 }
 
-List<vector2D> tryFlattening(const Flattening& method, const PlainSurface& disk)
+// Empty where it fails; `failure` then says why.
+List<vector2D>
+tryFlattening(const Flattening& method, const PlainSurface& disk, std::string& failure)
 {
     try
     {
@@ -73,10 +75,11 @@ List<vector2D> tryFlattening(const Flattening& method, const PlainSurface& disk)
         {
             return parameters;
         }
+        failure = "its triangles overlap in the plane";
     }
-    catch (const NumericalFailure&)
+    catch (const NumericalFailure& error)
     {
-        // As good as an overlap: the caller has other ways.
+        failure = error.what(); // as good as an overlap: the caller has other ways
     }
     return List<vector2D>();
 }
@@ -102,7 +105,7 @@ bool consider(
     Chart& best, const DiskCut& cut, const PlainSurface& disk, const Flattening& method
 )
 {
-    List<vector2D> parameters = tryFlattening(method, disk);
+    List<vector2D> parameters = tryFlattening(method, disk, best.failure);
     if (parameters.empty())
     {
         return false;
@@ -159,7 +162,7 @@ bool considerUncut(Chart& best, const PlainSurface& surface, const Flattening& m
         return false;
     }
     List<vector2D> parameters = tryFlattening(
-        method, filled(surface, boundaryLoops(nPoints, surface.triangles))
+        method, filled(surface, boundaryLoops(nPoints, surface.triangles)), best.failure
     );
     if (parameters.empty())
     {
@@ -203,6 +206,25 @@ void giveAreaOf(const PlainSurface& surface, Chart& chart)
     }
 }
 
+// Tutte's method on both cuts; `chart.failure` stays that of the method asked for.
+void fallBack(Chart& chart, const DiskCut& shortest, const DiskCut& extended)
+{
+    std::string failure(chart.failure);
+    if (!chart.parameters.empty())
+    {
+        failure = "its areas shrink to less than 1/10000 of others";
+    }
+    const std::unique_ptr<Flattening> tutte = Flattening::New("tutte");
+    chart.fallback = consider(chart, shortest, shortest.disk(), *tutte);
+    chart.fallback |= consider(chart, extended, extended.disk(), *tutte);
+    if (chart.parameters.empty())
+    {
+        chart.fallback = true;
+        failure += "; nor did Tutte's: " + chart.failure;
+    }
+    chart.failure = failure;
+}
+
 } // namespace
 
 Chart makeChart(const PlainSurface& given, const Flattening& method)
@@ -234,15 +256,17 @@ Chart makeChart(const PlainSurface& given, const Flattening& method)
         }
         if (chart.parameters.empty() || chart.areaRatio > absurdAreaRatio)
         {
-            const std::unique_ptr<Flattening> tutte = Flattening::New("tutte");
-            chart.fallback = consider(chart, shortest, shortest.disk(), *tutte);
-            chart.fallback |= consider(chart, cut, cut.disk(), *tutte);
-            chart.fallback |= chart.parameters.empty();
+            fallBack(chart, shortest, cut);
         }
     }
-    catch (const NumericalFailure&)
+    catch (const NumericalFailure& error)
     {
         chart.fallback = true;
+        chart.failure = error.what();
+    }
+    if (!chart.fallback)
+    {
+        chart.failure.clear(); // of trials
     }
     chart.points = surface.points;
     if (!chart.parameters.empty())

@@ -39,9 +39,7 @@ DiskCut::DiskCut(const PlainSurface& surface)
 
     if (!shapeOf(fans_.points.size(), disk().triangles).isDisk())
     {
-        throw NumericalFailure(
-            "A component of the interface could not be cut to a disk."
-        );
+        throw NumericalFailure("it could not be cut to a disk");
     }
 }
 

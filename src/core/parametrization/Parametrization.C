@@ -17,13 +17,13 @@ namespace Foam::stability
 namespace
 {
 
-// A component of the result, before all are put together.
-struct Piece
+// A patch of the result, before all are put together.
+struct FlatPatch
 {
     RemeshingResult copy;
     Chart chart;
     List<vector2D> parameters;
-    label number = 0; // in the order of all ranks' components
+    label number = 0; // in the order of all ranks' patches
 };
 
 scalar meanCellSize(const InterfaceMesh& mesh, const Patch& patch)
@@ -76,35 +76,36 @@ void addPoints(
 }
 
 void addTriangles(
-    const Patch& patch, const Piece& piece, label start, label startPoint,
+    const Patch& patch, const FlatPatch& flat, label start, label startPoint,
     label startParameter, InterfaceMesh& surface
 )
 {
-    forAll(piece.copy.surface.triangles, i)
+    forAll(flat.copy.surface.triangles, i)
     {
         for (label k = 0; k < 3; ++k)
         {
             surface.triangles[start + i][k] =
-                startPoint + piece.copy.surface.triangles[i][k];
-            if (!piece.chart.parameters.empty())
+                startPoint + flat.copy.surface.triangles[i][k];
+            if (!flat.chart.parameters.empty())
             {
                 surface.corners[start + i][k] =
-                    startParameter + piece.chart.corners[i][k];
+                    startParameter + flat.chart.corners[i][k];
             }
         }
         surface.materials[start + i] = patch.materials;
     }
 }
 
-SurfacePiece
-joined(const InterfaceMesh& mesh, const List<Patch>& patches, const List<Piece>& pieces)
+SurfacePiece joined(
+    const InterfaceMesh& mesh, const List<Patch>& patches, const List<FlatPatch>& flats
+)
 {
     label nPoints = 0, nTriangles = 0, nParameters = 0;
-    for (const Piece& piece : pieces)
+    for (const FlatPatch& flat : flats)
     {
-        nPoints += piece.copy.surface.points.size();
-        nTriangles += piece.copy.surface.triangles.size();
-        nParameters += piece.chart.parameters.size();
+        nPoints += flat.copy.surface.points.size();
+        nTriangles += flat.copy.surface.triangles.size();
+        nParameters += flat.chart.parameters.size();
     }
     SurfacePiece result;
     result.sharesPoints = false;
@@ -113,24 +114,24 @@ joined(const InterfaceMesh& mesh, const List<Patch>& patches, const List<Piece>&
     result.keys.setSize(nTriangles);
 
     label startPoint = 0, startTriangle = 0, startParameter = 0;
-    forAll(pieces, i)
+    forAll(flats, i)
     {
-        const Piece& piece = pieces[i];
-        addPoints(mesh, patches[i], piece.copy, startPoint, surface);
+        const FlatPatch& flat = flats[i];
+        addPoints(mesh, patches[i], flat.copy, startPoint, surface);
         addTriangles(
-            patches[i], piece, startTriangle, startPoint, startParameter, surface
+            patches[i], flat, startTriangle, startPoint, startParameter, surface
         );
-        forAll(piece.parameters, vertex)
+        forAll(flat.parameters, vertex)
         {
-            surface.parameters[startParameter + vertex] = piece.parameters[vertex];
+            surface.parameters[startParameter + vertex] = flat.parameters[vertex];
         }
-        forAll(piece.copy.surface.triangles, j)
+        forAll(flat.copy.surface.triangles, j)
         {
-            result.keys[startTriangle + j] = {point(piece.number, 0, 0), j};
+            result.keys[startTriangle + j] = {point(flat.number, 0, 0), j};
         }
-        startPoint += piece.copy.surface.points.size();
-        startTriangle += piece.copy.surface.triangles.size();
-        startParameter += piece.chart.parameters.size();
+        startPoint += flat.copy.surface.points.size();
+        startTriangle += flat.copy.surface.triangles.size();
+        startParameter += flat.chart.parameters.size();
     }
     surface.setOrigins(surface.points);
     result.startPositions = surface.points;
@@ -142,17 +143,17 @@ joined(const InterfaceMesh& mesh, const List<Patch>& patches, const List<Piece>&
     return result;
 }
 
-Piece flattened(
+FlatPatch flattened(
     const InterfaceMesh& mesh, const Patch& patch, const Flattening& method,
     scalar edgeLength
 )
 {
-    Piece piece;
-    piece.copy = remesh(patch.surface, edgeLength * meanCellSize(mesh, patch));
-    piece.chart = makeChart(piece.copy.surface, method);
-    piece.copy.surface.points = piece.chart.points;
-    piece.parameters = upright(piece.chart.parameters);
-    return piece;
+    FlatPatch flat;
+    flat.copy = remesh(patch.surface, edgeLength * meanCellSize(mesh, patch));
+    flat.chart = makeChart(flat.copy.surface, method);
+    flat.copy.surface.points = flat.chart.points;
+    flat.parameters = upright(flat.chart.parameters);
+    return flat;
 }
 
 // A chart as it is sent to the master, and the place that the master returns.
@@ -205,16 +206,16 @@ scalar placeAll(
 
 // Moves the charts to their places among those of all ranks. Returns the scale, 0 if
 // there is nothing to scale.
-scalar packPieces(
-    const SurfacePiece& interface, const List<Patch>& patches, List<Piece>& pieces,
+scalar packFlats(
+    const SurfacePiece& interface, const List<Patch>& patches, List<FlatPatch>& flats,
     const Exchange& exchange
 )
 {
     DynamicList<ChartBox> mine;
-    forAll(pieces, i)
+    forAll(flats, i)
     {
         mine.append(ChartBox{
-            interface.keys[patches[i].lowestTriangle], boxSize(pieces[i].parameters)});
+            interface.keys[patches[i].lowestTriangle], boxSize(flats[i].parameters)});
     }
     const std::vector<List<ChartBox>> boxes(exchange.listsToMaster(mine));
     std::vector<DynamicList<ChartPlace>> places(exchange.nRanks());
@@ -225,15 +226,81 @@ scalar packPieces(
     );
     const List<ChartPlace> here(exchange.exchangeLists(places)[0]);
     const scalar scale = exchange.fromMaster(packet).get<scalar>();
-    forAll(pieces, i)
+    forAll(flats, i)
     {
-        pieces[i].number = here[i].number;
+        flats[i].number = here[i].number;
         if (scale > 0)
         {
-            pieces[i].parameters = moved(pieces[i].parameters, here[i].corner, scale);
+            flats[i].parameters = moved(flats[i].parameters, here[i].corner, scale);
         }
     }
     return scale;
+}
+
+// A few words on what failed for the patch; empty where nothing did.
+std::string failureOf(const FlatPatch& flat, const std::string& method)
+{
+    std::string text;
+    if (!flat.copy.failure.empty())
+    {
+        text = "remeshing failed (" + flat.copy.failure + "), it stays as it is";
+    }
+    if (flat.chart.fallback)
+    {
+        text += (text.empty() ? "" : "; ") + method + " failed (" + flat.chart.failure
+                + "), ";
+        text +=
+            flat.chart.parameters.empty() ? "it gets no parameters" : "tutte was taken";
+    }
+    return text;
+}
+
+// The fallbacks of all ranks, on the master, in the order of the patches.
+std::vector<ParametrizationFallback> gatheredFallbacks(
+    const List<Patch>& patches, const List<FlatPatch>& flats, const std::string& method,
+    const Exchange& exchange
+)
+{
+    Packet mine;
+    const auto packMine = [&]
+    {
+        forAll(flats, i)
+        {
+            const std::string text(failureOf(flats[i], method));
+            if (!text.empty())
+            {
+                mine.put(flats[i].number + 1);
+                mine.put(patches[i].surface.triangles.size());
+                mine.put(average(patches[i].surface.points));
+                mine.putList(List<char>(text.begin(), text.end()));
+            }
+        }
+    };
+    runOnAllRanks(exchange, packMine);
+    std::vector<Packet> packets(exchange.toMaster(std::move(mine)));
+    std::vector<ParametrizationFallback> all;
+    const auto unpackAll = [&]
+    {
+        for (Packet& packet : packets)
+        {
+            while (!packet.atEnd())
+            {
+                ParametrizationFallback fallback;
+                fallback.patch = packet.get<label>();
+                fallback.nTriangles = packet.get<label>();
+                fallback.centre = packet.get<point>();
+                const List<char> text(packet.getList<char>());
+                fallback.what.assign(text.begin(), text.end());
+                all.push_back(std::move(fallback));
+            }
+        }
+        std::sort(
+            all.begin(), all.end(),
+            [](const auto& a, const auto& b) { return a.patch < b.patch; }
+        );
+    };
+    runOnMaster(exchange, unpackAll);
+    return all;
 }
 
 } // namespace
@@ -247,33 +314,37 @@ ParametrizationResult parametrize(
     const std::unique_ptr<Flattening> method = Flattening::New(options.flattening);
     ParametrizationResult result;
     List<Patch> patches;
-    List<Piece> pieces;
+    List<FlatPatch> flats;
     runOnAllRanks(
         exchange,
         [&]
         {
             patches = patchesOf(interface.mesh);
-            pieces.setSize(patches.size());
+            flats.setSize(patches.size());
             forAll(patches, i)
             {
-                Piece& piece = pieces[i];
-                piece =
+                FlatPatch& flat = flats[i];
+                flat =
                     flattened(interface.mesh, patches[i], *method, options.edgeLength);
-                result.nCharts += !piece.chart.parameters.empty();
-                result.nFallbacks += piece.chart.fallback;
-                result.nKept += piece.copy.kept;
+                result.nCharts += !flat.chart.parameters.empty();
+                result.nFallbacks += flat.chart.fallback;
+                result.nKept += flat.copy.kept;
                 result.remeshingDistance =
-                    max(result.remeshingDistance, piece.copy.largestDistance);
+                    max(result.remeshingDistance, flat.copy.largestDistance);
             }
         }
     );
     result.nCharts = exchange.total(result.nCharts);
     result.nFallbacks = exchange.total(result.nFallbacks);
     result.nKept = exchange.total(result.nKept);
+    result.nPatches = exchange.total(flats.size());
     result.remeshingDistance = largest(result.remeshingDistance, exchange);
-    const scalar scale = packPieces(interface, patches, pieces, exchange);
+    const scalar scale = packFlats(interface, patches, flats, exchange);
     result.scale = scale > 0 ? scale : 1;
-    result.surface = joined(interface.mesh, patches, pieces);
+    runOnAllRanks(
+        exchange, [&] { result.surface = joined(interface.mesh, patches, flats); }
+    );
+    result.fallbacks = gatheredFallbacks(patches, flats, options.flattening, exchange);
     return result;
 }
 

@@ -4,6 +4,8 @@
 
 #include "core/base/Errors.H"
 
+#include <algorithm>
+
 namespace Foam::stability
 {
 
@@ -21,9 +23,30 @@ Packet Exchange::fromMaster(const Packet& packet) const
     );
 }
 
+// In rounds: in each, a rank passes on as much as it has, to the rank as many places
+// below it (Bruck et al., IEEE Transactions on Parallel and Distributed Systems 8, 1997).
 std::vector<Packet> Exchange::toAll(const Packet& packet) const
 {
-    return exchange(std::vector<Packet>(nRanks(), packet));
+    const label n = nRanks();
+    std::vector<Packet> here{packet}; // of this rank, the next one, and so on
+    for (label step = 1; step < n; step *= 2)
+    {
+        std::vector<Packet> toRanks(n);
+        const label nPassed = std::min(step, n - step);
+        Packet& passed = toRanks[(rank() - step + n) % n];
+        for (label i = 0; i < nPassed; ++i)
+        {
+            passed.putList(here[i].bytes());
+        }
+        toRanks = exchange(std::move(toRanks));
+        Packet& received = toRanks[(rank() + step) % n];
+        for (label i = 0; i < nPassed; ++i)
+        {
+            here.emplace_back(received.getList<char>());
+        }
+    }
+    std::rotate(here.begin(), here.end() - rank(), here.end());
+    return here;
 }
 
 void runOnAllRanks(const Exchange& exchange, const std::function<void()>& work)
@@ -33,6 +56,7 @@ void runOnAllRanks(const Exchange& exchange, const std::function<void()>& work)
         work();
         return;
     }
+    exchange.forget();
     std::string failure;
     try
     {
@@ -40,6 +64,10 @@ void runOnAllRanks(const Exchange& exchange, const std::function<void()>& work)
     }
     catch (const std::exception& caught)
     {
+        if (exchange.allThrew())
+        {
+            throw; // a collective call, or an inner runOnAllRanks
+        }
         failure = describe(caught);
     }
     exchange.throwIfAny<NumericalFailure>(failure);

@@ -8,6 +8,7 @@
 #include "core/surface/InterfaceMotion.H"
 #include "core/cells/CanonicalOrder.H"
 #include "core/flow/VolumeFractions.H"
+#include "core/surface/pieces/SurfacePiece.H"
 
 #include <algorithm>
 #include <cmath>
@@ -120,38 +121,60 @@ void weld(const GivenSurface& surface, InterfaceMesh& mesh)
     mesh.triangles.transfer(triangles);
 }
 
+// A point of the surface that a rank is asked for.
+struct AskedPoint
+{
+    label number;
+    point x;     // [m]
+    scalar told; // [m], size of its cell; negative: not told
+};
+
+// The cell in which a rank found it.
+struct FoundPoint
+{
+    label number;
+    label cell; // global
+    scalar cellSize;
+    label boundaryFace; // see InterfaceMesh
+};
+
+// Finds the cells of points among those that this rank knows.
 class Placement
 {
 public:
-    Placement(const GivenSurface& surface, const CellComplex& complex)
-        : surface_(surface), complex_(complex)
+    explicit Placement(const CellComplex& complex)
+        : complex_(complex), roundOff_(roundOffIn(complex.whole().bounds))
     {
-        const boundBox& bounds = complex.whole().bounds;
-        const scalar largest =
-            max(cmptMax(cmptMag(bounds.min())), cmptMax(cmptMag(bounds.max())));
-        roundOff_ = std::numeric_limits<float>::epsilon() * largest;
     }
 
-    // On entry the sizes of cells that are told, or none.
-    void place(InterfaceMesh& mesh)
+    // [m], of coordinates in single precision.
+    static scalar roundOffIn(const boundBox& bounds)
     {
-        const label n = mesh.points.size();
-        const scalarField told(mesh.cellSizes);
-        mesh.cells.setSize(n);
-        mesh.cellSizes.setSize(n);
-        mesh.boundaryFaces.setSize(n);
-        for (label i = 0; i < n; ++i)
+        const scalar largest =
+            max(cmptMax(cmptMag(bounds.min())), cmptMax(cmptMag(bounds.max())));
+        return std::numeric_limits<float>::epsilon() * largest;
+    }
+
+    // Those found; the others may be in cells of other ranks.
+    DynamicList<FoundPoint> found(const UList<AskedPoint>& asked)
+    {
+        DynamicList<FoundPoint> result;
+        for (const AskedPoint& p : asked)
         {
-            const point& x = mesh.points[i];
-            mesh.cells[i] = cellOf(x);
-            if (!told.empty())
+            label celli = cellOf(p.x);
+            if (celli < 0)
             {
-                mesh.cells[i] = cellOfSize(told[i], mesh.cells[i], x);
+                continue;
             }
-            mesh.cellSizes[i] = complex_.cellSizes()[mesh.cells[i]];
-            mesh.boundaryFaces[i] =
-                boundaryFaceAt(complex_, mesh.cells[i], x, toleranceIn(mesh.cells[i]));
+            if (p.told >= 0)
+            {
+                celli = cellOfSize(p.told, celli, p.x);
+            }
+            result.append(FoundPoint{
+                p.number, complex_.globalCell(celli), complex_.cellSizes()[celli],
+                boundaryFaceAt(complex_, celli, p.x, toleranceIn(celli))});
         }
+        return result;
     }
 
 private:
@@ -161,17 +184,19 @@ private:
         return onBoundary * complex_.cellSizes()[celli] + roundOff_;
     }
 
-    // The lowest of the cells that touch the point, as in an extraction.
+    // The lowest of the cells that touch the point, as in an extraction; -1 where the
+    // point is in no cell, or not all cells around it are known.
     label cellOf(const point& x)
     {
         const Location location = locate(complex_, x, hint_);
-        const bool found = location.where != Location::Where::nowhere;
+        const bool inCell = location.where == Location::Where::inside
+                            || location.where == Location::Where::outside;
         // A point beyond a wall is put back to 1e-6 in front of it.
-        if (!found
+        if (!inCell || !complex_.hasAllNeighbours(location.cell)
             || (location.boundaryFace >= 0
                 && mag(location.position - x) > 2 * toleranceIn(location.cell)))
         {
-            fail(surface_, "has a point outside the domain, at " + textOf(x));
+            return -1;
         }
         return settledCell(complex_, location.cell, x);
     }
@@ -201,11 +226,99 @@ private:
         return liesWithin(complex_, found, x, touches) ? found : celli;
     }
 
-    const GivenSurface& surface_;
     const CellComplex& complex_;
     scalar roundOff_; // [m]
     CellHint hint_;
 };
+
+// The points of the mesh, on the master, for each rank in whose box they are.
+std::vector<DynamicList<AskedPoint>>
+askedOf(const InterfaceMesh& mesh, const std::vector<List<boundBox>>& boxes)
+{
+    std::vector<DynamicList<AskedPoint>> asked(boxes.size());
+    for (std::size_t ranki = 0; ranki < boxes.size(); ++ranki)
+    {
+        for (const boundBox& box : boxes[ranki])
+        {
+            forAll(mesh.points, i)
+            {
+                if (box.contains(mesh.points[i]))
+                {
+                    const scalar told = mesh.cellSizes.empty() ? -1 : mesh.cellSizes[i];
+                    asked[ranki].append(AskedPoint{i, mesh.points[i], told});
+                }
+            }
+        }
+    }
+    return asked;
+}
+
+// Fills cells (global), cell sizes and boundary faces; where several ranks found a
+// point, they agree.
+void adopt(
+    const std::vector<List<FoundPoint>>& found, const GivenSurface& surface,
+    InterfaceMesh& mesh
+)
+{
+    const label n = mesh.points.size();
+    mesh.cells = labelList(n, -1);
+    mesh.cellSizes.setSize(n);
+    mesh.boundaryFaces.setSize(n);
+    for (const List<FoundPoint>& points : found)
+    {
+        for (const FoundPoint& p : points)
+        {
+            if (mesh.cells[p.number] < 0)
+            {
+                mesh.cells[p.number] = p.cell;
+                mesh.cellSizes[p.number] = p.cellSize;
+                mesh.boundaryFaces[p.number] = p.boundaryFace;
+            }
+        }
+    }
+    forAll(mesh.cells, i)
+    {
+        if (mesh.cells[i] < 0)
+        {
+            fail(
+                surface, "has a point outside the domain, at " + textOf(mesh.points[i])
+            );
+        }
+    }
+}
+
+// The mesh is the master's; the cells are those of all ranks. Collective.
+void place(
+    const GivenSurface* surface, const CellComplex& complex, InterfaceMesh& mesh,
+    const Exchange& exchange
+)
+{
+    DynamicList<boundBox> mine;
+    if (complex.nCells() > 0)
+    {
+        const scalar margin = Placement::roundOffIn(complex.whole().bounds)
+                              + 1e-3 * complex.bounds().mag();
+        const vector wide(margin, margin, margin);
+        mine.append(
+            boundBox(complex.bounds().min() - wide, complex.bounds().max() + wide)
+        );
+    }
+    const std::vector<List<boundBox>> boxes(exchange.listsToMaster(mine));
+    std::vector<DynamicList<AskedPoint>> asked(exchange.nRanks());
+    runOnMaster(exchange, [&] { asked = askedOf(mesh, boxes); });
+    const List<AskedPoint> here(exchange.exchangeLists(asked)[0]);
+    DynamicList<FoundPoint> found;
+    runOnAllRanks(exchange, [&] { found = Placement(complex).found(here); });
+    const std::vector<List<FoundPoint>> all(exchange.listsToMaster(found));
+    runOnMaster(
+        exchange,
+        [&]
+        {
+            adopt(all, *surface, mesh);
+            mesh.clearParametrization();
+        }
+    );
+}
 
 bool isClosed(const InterfaceMesh& mesh)
 {
@@ -217,55 +330,103 @@ bool isClosed(const InterfaceMesh& mesh)
     );
 }
 
-// [m3] of the first material, which may be the one outside.
-scalar enclosed(const InterfaceMesh& mesh, const CellComplex& complex)
+// Of the first material, which may be the one outside; `all`: the volume of all cells.
+ExactSum
+enclosed(const InterfaceMesh& mesh, const ExactSum& all, const WholeMesh& whole)
 {
-    const point origin = complex.whole().bounds.centre();
-    scalar flux = 0;
+    const point origin = whole.bounds.centre();
+    ExactSum volume;
     forAll(mesh.triangles, trianglei)
     {
-        flux += (mesh.centre(trianglei) - origin) & mesh.areaVector(trianglei);
+        volume.add(
+            (mesh.centre(trianglei) - origin) & (mesh.areaVector(trianglei) / 3)
+        );
     }
-    return flux < 0 ? sum(complex.cellVolumes()) + flux / 3 : flux / 3;
+    if (volume < 0)
+    {
+        volume.add(all);
+    }
+    return volume;
 }
 
-// True if there are cells of both materials.
-bool hasInterface(const VolumeFractions& fractions)
+// The volume of the cells of all ranks; `nInside` and `nOutside`: numbers of the cells
+// on each side of 1/2. Collective.
+ExactSum countCells(
+    const CellComplex& complex, const VolumeFractions& fractions, label& nInside,
+    label& nOutside, const Exchange& exchange
+)
 {
-    const scalarField& cells = fractions.cells;
-    return std::any_of(
-        cells.begin(), cells.end(),
-        [&](scalar alpha)
-        { return VolumeFractions::inside(alpha) != VolumeFractions::inside(cells[0]); }
-    );
+    List<ExactSum> volume(1);
+    forAll(fractions.cells, celli)
+    {
+        if (complex.own(celli))
+        {
+            volume[0].add(complex.cellVolumes()[celli]);
+            ++(VolumeFractions::inside(fractions.cells[celli]) ? nInside : nOutside);
+        }
+    }
+    nInside = exchange.total(nInside);
+    nOutside = exchange.total(nOutside);
+    sum(volume, exchange);
+    return volume[0];
 }
 
 } // namespace
 
-ReconstructionResult GivenInterface::extract(const FlowSnapshot& snapshot) const
+ReconstructionResult
+placedSurface(const FlowSnapshot& snapshot, const Exchange& exchange)
 {
-    if (!snapshot.surface)
-    {
-        throw BadInput("The reconstruction fromFiles needs a surface for every time.");
-    }
-    const GivenSurface& surface = *snapshot.surface;
-    const VolumeFractions fractions(snapshot);
+    const CellComplex& complex = *snapshot.complex;
+    const GivenSurface* surface = snapshot.surface.get();
+    const VolumeFractions fractions(
+        makeOnAllRanks(exchange, [&] { return VolumeFractions(snapshot); })
+    );
+    label nInside = 0, nOutside = 0;
+    const ExactSum allCells(countCells(complex, fractions, nInside, nOutside, exchange)
+    );
     ReconstructionResult result;
     result.alphaVolume = fractions.volume;
     result.volume = fractions.volume;
+    const auto read = [&]
+    {
+        if (!surface)
+        {
+            throw BadInput(
+                "The reconstruction fromFiles needs a surface for every time."
+            );
+        }
+        checkFinite(*surface);
+        weld(*surface, result.mesh);
+        if (result.mesh.empty() && nInside > 0 && nOutside > 0)
+        {
+            fail(
+                *surface, "has no triangles, but the volume fraction has an interface"
+            );
+        }
+    };
+    runOnMaster(exchange, read);
+    place(surface, complex, result.mesh, exchange);
+    label closed = 0; // 1 on the master, if it is
+    const auto measure = [&]
+    {
+        closed = !result.mesh.empty() && isClosed(result.mesh);
+        if (closed)
+        {
+            result.volume = enclosed(result.mesh, allCells, complex.whole());
+        }
+    };
+    runOnMaster(exchange, measure);
+    if (exchange.total(closed) > 0 && !exchange.isMaster())
+    {
+        result.volume = ExactSum();
+    }
+    return result;
+}
 
-    checkFinite(surface);
-    weld(surface, result.mesh);
-    if (result.mesh.empty() && hasInterface(fractions))
-    {
-        fail(surface, "has no triangles, but the volume fraction has an interface");
-    }
-    Placement(surface, *snapshot.complex).place(result.mesh);
-    result.mesh.clearParametrization();
-    if (!result.mesh.empty() && isClosed(result.mesh))
-    {
-        result.volume = enclosed(result.mesh, *snapshot.complex);
-    }
+ReconstructionResult GivenInterface::extract(const FlowSnapshot& snapshot) const
+{
+    ReconstructionResult result(placedSurface(snapshot, SerialExchange()));
+    useLocalCells(result.mesh, *snapshot.complex);
     return result;
 }
 

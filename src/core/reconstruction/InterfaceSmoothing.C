@@ -8,7 +8,7 @@
 namespace Foam::stability
 {
 
-scalar smoothInterface(InterfaceMesh& mesh, const CellComplex& complex, label pairs)
+ExactSum smoothInterface(InterfaceMesh& mesh, const CellComplex& complex, label pairs)
 {
     TaubinOptions options;
     options.pairs = pairs;

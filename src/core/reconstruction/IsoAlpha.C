@@ -289,12 +289,11 @@ MarchingTets tetsFor(const CellComplex& complex, const ReconstructionOptions& op
 
 // The number of rings of cells around a rank's own whose triangles influence its own:
 // two for each pair of smoothing, and some by sharpening, which holds triangles that
-// would flip. Volumes are fitted on all rings that are known.
+// would flip.
 label ringsOf(const ReconstructionOptions& options)
 {
     constexpr label untangling = 4;
-    return options.volumeFit != VolumeFit::none ? labelMax
-                                                : untangling + 2 * options.smooth;
+    return untangling + 2 * options.smooth;
 }
 
 } // namespace
@@ -311,13 +310,7 @@ ReconstructionResult IsoAlpha::extract(const FlowSnapshot& snapshot) const
         result.sharpening = sharpen(
             result.mesh, complex, fractions, options_.sharpening, options_.nThreads
         );
-        result.volume += result.sharpening->volume;
-    }
-    if (options_.volumeFit != VolumeFit::none)
-    {
-        result.volumeFit =
-            fitVolumes(result.mesh, complex, fractions, options_.nThreads);
-        result.volume += result.volumeFit->volume;
+        result.volume.add(result.sharpening->volume);
     }
     return result;
 }

@@ -267,7 +267,7 @@ void MarchingTets::close(const FixedList<Vertex, 3>& triangle, label facei)
         }
         flux += (nIn == 1 ? 1 : -1) * fluxThrough(corners, facei);
     }
-    boundaryFlux_ += flux;
+    boundaryVolume_.add(flux);
 }
 
 void MarchingTets::closeWhole(label facei)
@@ -275,11 +275,11 @@ void MarchingTets::closeWhole(label facei)
     const face& f = complex_.faces()[facei];
     forAll(f, k)
     {
-        boundaryFlux_ += fluxThrough(
+        boundaryVolume_.add(fluxThrough(
             {complex_.faceCentres()[facei], complex_.points()[f[k]],
              complex_.points()[f.nextLabel(k)]},
             facei
-        );
+        ));
     }
 }
 
@@ -309,22 +309,22 @@ void MarchingTets::markBoundary(
     }
 }
 
-std::optional<scalar> MarchingTets::volume() const
+std::optional<ExactSum> MarchingTets::volume() const
 {
     if (!field_)
     {
         return std::nullopt;
     }
-    scalar flux = boundaryFlux_;
+    ExactSum sum(boundaryVolume_);
     forAll(triangles_, trianglei)
     {
         if (complex_.own(triangleCells_[trianglei]))
         {
             const triFace& t = triangles_[trianglei];
-            flux += fluxThrough(points_[t[0]], points_[t[1]], points_[t[2]]);
+            sum.add(fluxThrough(points_[t[0]], points_[t[1]], points_[t[2]]));
         }
     }
-    return flux;
+    return sum;
 }
 
 InterfaceMesh MarchingTets::takeMesh()

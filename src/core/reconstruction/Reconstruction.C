@@ -110,7 +110,7 @@ std::unique_ptr<Reconstruction> Reconstruction::New(const ReconstructionOptions&
 }
 
 ReconstructionResult Reconstruction::finish(
-    MarchingTets& tets, const CellComplex& complex, scalar alphaVolume,
+    MarchingTets& tets, const CellComplex& complex, const ExactSum& alphaVolume,
     const ReconstructionOptions& options
 )
 {
@@ -121,7 +121,7 @@ ReconstructionResult Reconstruction::finish(
     orderByCells(result.mesh);
     if (options.smooth > 0)
     {
-        result.volume += smoothInterface(result.mesh, complex, options.smooth);
+        result.volume.add(smoothInterface(result.mesh, complex, options.smooth));
     }
     return result;
 }

@@ -109,14 +109,15 @@ Surroundings::Surroundings(const CellComplex& complex, label celli)
     }
 }
 
-scalar moveInterface(InterfaceMesh& mesh, const CellComplex& complex, vectorField moves)
+ExactSum
+moveInterface(InterfaceMesh& mesh, const CellComplex& complex, vectorField moves)
 {
     labelList cells(mesh.cells);
     forAll(moves, pointi)
     {
         const point& x = mesh.points[pointi];
         const label celli = mesh.cells[pointi];
-        if (liesWithin(complex, celli, x + moves[pointi]))
+        if (celli < 0 || liesWithin(complex, celli, x + moves[pointi]))
         {
             continue;
         }
@@ -132,13 +133,20 @@ scalar moveInterface(InterfaceMesh& mesh, const CellComplex& complex, vectorFiel
     const scalarField swept(sweptVolumes(mesh, moves));
     mesh.points += moves;
     mesh.cells = cells;
-    mesh.cellSizes = scalarField(complex.cellSizes(), cells);
-    scalar sum = 0;
+    forAll(cells, pointi)
+    {
+        if (cells[pointi] >= 0)
+        {
+            mesh.cellSizes[pointi] = complex.cellSizes()[cells[pointi]];
+        }
+    }
+    ExactSum sum;
     forAll(swept, trianglei)
     {
-        const bool own =
-            mesh.triangleCells.empty() || complex.own(mesh.triangleCells[trianglei]);
-        sum += own ? swept[trianglei] : 0;
+        if (mesh.triangleCells.empty() || complex.own(mesh.triangleCells[trianglei]))
+        {
+            sum.add(swept[trianglei]);
+        }
     }
     return sum;
 }

@@ -84,7 +84,7 @@ void VoxelMask::add(const point& x, scalar reach)
         low[d] = std::max(place - n, std::int64_t(0));
         high[d] = std::min(place + n, 2 * middle - 1);
     }
-    visit(low, high, [&](Voxel voxel) { voxels_.insert(voxel); });
+    addVoxels(low, high);
 }
 
 bool VoxelMask::meets(const boundBox& box) const
@@ -96,7 +96,26 @@ bool VoxelMask::meets(const boundBox& box) const
 
 void VoxelMask::add(const boundBox& box)
 {
-    visit(box, size_, [&](Voxel voxel) { voxels_.insert(voxel); });
+    std::int64_t low[3], high[3];
+    for (direction d = 0; d < 3; ++d)
+    {
+        low[d] = placeOf(box.min()[d], size_);
+        high[d] = placeOf(box.max()[d], size_);
+    }
+    addVoxels(low, high);
+}
+
+void VoxelMask::addVoxels(
+    const std::int64_t (&low)[3], const std::int64_t (&high)[3]
+)
+{
+    const bool first = voxels_.empty();
+    for (direction d = 0; d < 3; ++d)
+    {
+        low_[d] = first ? low[d] : std::min(low_[d], low[d]);
+        high_[d] = first ? high[d] : std::max(high_[d], high[d]);
+    }
+    visit(low, high, [&](Voxel voxel) { voxels_.insert(voxel); });
 }
 
 void VoxelMask::add(
@@ -137,6 +156,10 @@ DynamicList<VoxelMask::Voxel> VoxelMask::within(const boundBox& box) const
     {
         low[d] = placeOf(box.min()[d], size_);
         high[d] = placeOf(box.max()[d], size_);
+        if (voxels_.empty() || high[d] < low_[d] || high_[d] < low[d])
+        {
+            return {};
+        }
     }
     DynamicList<Voxel> result;
     for (const Voxel voxel : voxels_)

@@ -51,8 +51,10 @@ void CrossedEdges::insertNodes(const InterfaceMesh& mesh, const List<SeamNode>& 
     std::map<label, labelList> parts;
     for (const SeamNode& node : nodes)
     {
-        const auto facing = [&](label trianglei)
-        { return (mesh.areaVector(trianglei) & node.normal) > 0; };
+        const auto facing = [&](label trianglei) {
+            return !bisection_.normalGate()
+                   || (mesh.areaVector(trianglei) & node.normal) > 0;
+        };
         const SurfacePoint foot =
             locator.closest(node.x, bisection_.epsilon(node.cellSize), facing);
         if (foot.triangle >= 0)

@@ -17,11 +17,12 @@ namespace
 // decides.
 label nRings(const TrackerOptions& tracker)
 {
-    constexpr label toSharpen = 3; // more
+    constexpr label toSharpen = 3, toFit = 3; // more
     const auto needed = [](const ReconstructionOptions& options)
     {
         return reconstructionMethod(options.method).reach
                + (options.sharpening == Sharpening::none ? 0 : toSharpen)
+               + (options.volumeFit == VolumeFit::none ? 0 : toFit)
                + 2 * options.smooth; // each pair of steps looks twice at neighbours
     };
     label n = needed(tracker.reconstruction);
@@ -30,38 +31,6 @@ label nRings(const TrackerOptions& tracker)
         n = max(n, needed(later.reconstruction));
     }
     return n;
-}
-
-[[noreturn]] void refuse(const std::string& what)
-{
-    throw BadInput(
-        what
-        + " works in serial runs only so far: run the analysis on the "
-          "reconstructed case."
-    );
-}
-
-void refuseInParallel(const CaseOptions& options, const TrackerOptions& tracker)
-{
-    for (const FilesFrom& files : options.files)
-    {
-        if (!files.pattern.empty())
-        {
-            refuse("The reconstruction fromFiles");
-        }
-    }
-    const auto check = [](const ReconstructionOptions& reconstruction)
-    {
-        if (reconstruction.volumeFit != VolumeFit::none)
-        {
-            refuse("The entry 'volumeFit component'");
-        }
-    };
-    check(tracker.reconstruction);
-    for (const ReconstructionFrom& later : tracker.later)
-    {
-        check(later.reconstruction);
-    }
 }
 
 } // namespace
@@ -77,10 +46,6 @@ CaseSnapshots::CaseSnapshots(
       flux_(mesh, options.phi, options.velocity, source),
       surfaces_(mesh.time(), options.files), cells_(mesh, messages, nRings(tracker))
 {
-    if (messages_.nRanks() > 1)
-    {
-        refuseInParallel(options, tracker);
-    }
 }
 
 void CaseSnapshots::require(const instantList& times)
@@ -100,7 +65,10 @@ void CaseSnapshots::require(const instantList& times)
         {
             fields_.require(times);
             flux_.choose(times);
-            surfaces_.require(times);
+            if (messages_.isMaster())
+            {
+                surfaces_.require(times);
+            }
         }
     );
 }
@@ -159,7 +127,9 @@ std::shared_ptr<const FlowSnapshot> CaseSnapshots::take()
     const instant now(mesh_.time().value(), mesh_.time().timeName());
     if (surfaces_.expected(now))
     {
-        snapshot->surface = surfaces_.read(now, nTaken_);
+        runOnMaster(
+            messages_, [&] { snapshot->surface = surfaces_.read(now, nTaken_); }
+        );
     }
     ++nTaken_;
     return snapshot;

@@ -38,7 +38,7 @@ label RankMessages::rank() const
     return UPstream::parRun() ? UPstream::myProcNo(communicator_) : 0;
 }
 
-std::vector<Packet> RankMessages::exchange(std::vector<Packet> toRanks) const
+std::vector<Packet> RankMessages::send(std::vector<Packet> toRanks) const
 {
     std::vector<Packet> fromRanks(nRanks());
     fromRanks[rank()] = std::move(toRanks[rank()]);
@@ -73,7 +73,7 @@ std::vector<Packet> RankMessages::exchange(std::vector<Packet> toRanks) const
     return fromRanks;
 }
 
-label RankMessages::total(label value) const
+label RankMessages::sumOf(label value) const
 {
     reduce(value, sumOp<label>(), UPstream::msgType(), communicator_);
     return value;
@@ -94,7 +94,7 @@ std::string RankMessages::firstNonEmpty(const std::string& failure) const
         packet.putList(List<char>(failure.begin(), failure.end()));
     }
     std::vector<Packet> toRanks(nRanks(), packet);
-    const List<char> text(exchange(std::move(toRanks))[first].getList<char>());
+    const List<char> text(send(std::move(toRanks))[first].getList<char>());
     return std::string(text.begin(), text.end());
 }
 

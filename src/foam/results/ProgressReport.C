@@ -4,6 +4,7 @@
 
 #include "messageStream.H"
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -89,13 +90,30 @@ void ProgressReport::showDetails(const Classification& c) const
     }
 }
 
+// Sprays have thousands of patches: the first ones tell enough.
+void ProgressReport::showFallbacks(const ParametrizationResult& p, const word& timeName)
+{
+    constexpr std::size_t mostShown = 20;
+    for (std::size_t i = 0; i < std::min(p.fallbacks.size(), mostShown); ++i)
+    {
+        const ParametrizationFallback& fallback = p.fallbacks[i];
+        Info << "interfaceStability: at time " << timeName << " s patch "
+             << fallback.patch << " of " << p.nPatches << " (" << fallback.nTriangles
+             << " triangles, around " << fallback.centre
+             << "): " << fallback.what.c_str() << endl;
+    }
+    if (p.fallbacks.size() > mostShown)
+    {
+        Info << "interfaceStability: and " << label(p.fallbacks.size() - mostShown)
+             << " patches more that were not treated as asked" << endl;
+    }
+}
+
 void ProgressReport::showTroubles(const Classification& c, const word& timeName) const
 {
-    if (c.parametrization && c.parametrization->nFallbacks > 0)
+    if (c.parametrization)
     {
-        Info << "interfaceStability: at time " << timeName << " s "
-             << c.parametrization->nFallbacks << " of " << c.parametrization->nCharts
-             << " charts were flattened by the fallback tutte" << endl;
+        showFallbacks(*c.parametrization, timeName);
     }
     if (c.nFailedCells > 0)
     {

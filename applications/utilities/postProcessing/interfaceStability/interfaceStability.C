@@ -42,8 +42,7 @@ Usage
     methods.dat in postProcessing/interfaceStability/\<startTime\> compares them.
 
     On static meshes without empty or wedge patches; surfaces and pathlines go on
-    behind cyclic ones. In parallel with -parallel, on a decomposed case, but for
-    reconstruction fromFiles and volumeFit component.
+    behind cyclic ones. In parallel with -parallel, on a decomposed case.
 
 \*---------------------------------------------------------------------------*/
 

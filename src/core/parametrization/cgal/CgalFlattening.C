@@ -45,12 +45,12 @@ Mesh unitMesh(const PlainSurface& surface)
     const scalar unit = std::sqrt(area / surface.triangles.size());
     if (!(unit > 0))
     {
-        throw NumericalFailure("A chart without area cannot be flattened.");
+        throw NumericalFailure("it has no area");
     }
     Mesh mesh = surfaceMesh<Kernel::Point_3>(surface, centre, unit);
     if (mesh.number_of_faces() == 0)
     {
-        throw NumericalFailure("A chart that is not manifold cannot be flattened.");
+        throw NumericalFailure("it is not manifold");
     }
     return mesh;
 }
@@ -61,7 +61,7 @@ labelList boundaryOf(const PlainSurface& surface)
     List<labelList> loops = boundaryLoops(surface.points.size(), surface.triangles);
     if (loops.size() != 1)
     {
-        throw NumericalFailure("A surface that is not a disk cannot be flattened.");
+        throw NumericalFailure("it is not a disk");
     }
     return loops[0];
 }
@@ -93,15 +93,13 @@ parameterized(Mesh& mesh, label start, const Parameterizer& parameterizer)
     const Halfedge border = mesh.halfedge(Vertex(start));
     if (!mesh.is_border(border))
     {
-        throw NumericalFailure("A chart that is not manifold cannot be flattened.");
+        throw NumericalFailure("it is not manifold");
     }
     auto uv = mesh.add_property_map<Vertex, Kernel::Point_2>("v:uv").first;
     const SMP::Error_code code = SMP::parameterize(mesh, parameterizer, border, uv);
     if (code != SMP::OK)
     {
-        throw NumericalFailure(
-            std::string("Flattening failed: ") + SMP::get_error_message(code) + "."
-        );
+        throw NumericalFailure(SMP::get_error_message(code));
     }
     List<vector2D> result(mesh.number_of_vertices());
     for (const Vertex v : mesh.vertices())
@@ -116,21 +114,30 @@ parameterized(Mesh& mesh, label start, const Parameterizer& parameterizer)
 List<vector2D> LscmFlattening::flatten(const PlainSurface& surface) const
 {
     using Pins = SMP::Two_vertices_parameterizer_3<Mesh>;
-    const CgalScope scope;
-    const labelList loop = boundaryOf(surface);
-    Mesh mesh = unitMesh(surface);
-    const auto [a, b] = farPair(surface, loop);
-    const SMP::LSCM_parameterizer_3<Mesh, Pins> method{Pins(Vertex(a), Vertex(b))};
-    return parameterized(mesh, a, method);
+    return withCgal(
+        [&]
+        {
+            const labelList loop = boundaryOf(surface);
+            Mesh mesh = unitMesh(surface);
+            const auto [a, b] = farPair(surface, loop);
+            const SMP::LSCM_parameterizer_3<Mesh, Pins> method{
+                Pins(Vertex(a), Vertex(b))};
+            return parameterized(mesh, a, method);
+        }
+    );
 }
 
 List<vector2D> TutteFlattening::flatten(const PlainSurface& surface) const
 {
-    const CgalScope scope;
-    const label start = boundaryOf(surface)[0];
-    Mesh mesh = unitMesh(surface);
-    const SMP::Barycentric_mapping_parameterizer_3<Mesh> method;
-    return parameterized(mesh, start, method);
+    return withCgal(
+        [&]
+        {
+            const label start = boundaryOf(surface)[0];
+            Mesh mesh = unitMesh(surface);
+            const SMP::Barycentric_mapping_parameterizer_3<Mesh> method;
+            return parameterized(mesh, start, method);
+        }
+    );
 }
 
 } // namespace Foam::stability

@@ -13,7 +13,6 @@
 #include "core/parametrization/SurfaceShape.H"
 
 #include <cmath>
-#include <exception>
 
 namespace Foam::stability
 {
@@ -115,8 +114,8 @@ bool isSound(const PlainSurface& copy, const SurfaceShape& original)
         }
     }
     const SurfaceShape shape = shapeOf(copy.points.size(), copy.triangles);
-    return copy.triangles.size() >= fewestTriangles && shape.manifold
-           && shape.euler == original.euler && shape.nLoops == original.nLoops;
+    return shape.manifold && shape.euler == original.euler
+           && shape.nLoops == original.nLoops;
 }
 
 // The corner of a triangle of the original nearest to x; if asked for, one on the
@@ -175,12 +174,38 @@ void compare(
     }
 }
 
-RemeshingResult keep(const PlainSurface& surface)
+RemeshingResult keep(const PlainSurface& surface, const std::string& failure = "")
 {
     RemeshingResult result;
     result.surface = surface;
     result.nearest = identity(surface.points.size());
     result.kept = true;
+    result.failure = failure;
+    return result;
+}
+
+RemeshingResult remeshed(const PlainSurface& surface, scalar edgeLength)
+{
+    const point centre = average(surface.points);
+    const Mesh original = surfaceMesh<Kernel::Point_3>(surface, centre, edgeLength);
+    if (original.number_of_faces() == 0)
+    {
+        throw NumericalFailure("it is not manifold");
+    }
+    Mesh mesh = original;
+    remeshIsotropically(mesh);
+
+    RemeshingResult result;
+    result.surface = fromCgal(mesh, centre, edgeLength);
+    if (result.surface.triangles.size() < fewestTriangles)
+    {
+        return keep(surface);
+    }
+    if (!isSound(result.surface, shapeOf(surface.points.size(), surface.triangles)))
+    {
+        throw NumericalFailure("the copy has another topology or flat triangles");
+    }
+    compare(original, mesh, edgeLength, result);
     return result;
 }
 
@@ -199,31 +224,13 @@ RemeshingResult remesh(const PlainSurface& surface, scalar edgeLength)
     {
         return keep(surface);
     }
-    const CgalScope scope;
     try
     {
-        const point centre = average(surface.points);
-        const Mesh original = surfaceMesh<Kernel::Point_3>(surface, centre, edgeLength);
-        if (original.number_of_faces() == 0)
-        {
-            return keep(surface);
-        }
-        Mesh mesh = original;
-        remeshIsotropically(mesh);
-
-        RemeshingResult result;
-        result.surface = fromCgal(mesh, centre, edgeLength);
-        if (!isSound(result.surface, shapeOf(surface.points.size(), surface.triangles)))
-        {
-            return keep(surface);
-        }
-        compare(original, mesh, edgeLength, result);
-        return result;
+        return withCgal([&] { return remeshed(surface, edgeLength); });
     }
-    catch (const std::exception&)
+    catch (const NumericalFailure& failure)
     {
-        // CGAL's own checks; some releases trip over legal input.
-        return keep(surface);
+        return keep(surface, failure.what());
     }
 }
 

@@ -19,14 +19,18 @@ bool isSimplePolygon(const UList<vector2D>& polygon)
     {
         return false;
     }
-    const CgalScope scope;
-    std::vector<Kernel::Point_2> points;
-    points.reserve(polygon.size());
-    for (const vector2D& p : polygon)
-    {
-        points.emplace_back(p.x(), p.y());
-    }
-    return CGAL::is_simple_2(points.begin(), points.end(), Kernel());
+    return withCgal(
+        [&]
+        {
+            std::vector<Kernel::Point_2> points;
+            points.reserve(polygon.size());
+            for (const vector2D& p : polygon)
+            {
+                points.emplace_back(p.x(), p.y());
+            }
+            return CGAL::is_simple_2(points.begin(), points.end(), Kernel());
+        }
+    );
 }
 
 } // namespace Foam::stability

@@ -3,7 +3,7 @@
 #include "core/reconstruction/volumeFit/MaterialShares.H"
 
 #include "core/surface/SurfaceLocator.H"
-#include "core/reconstruction/volumeFit/PieceCells.H"
+#include "core/reconstruction/volumeFit/ComponentCells.H"
 
 #include <algorithm>
 #include <optional>
@@ -14,10 +14,10 @@ namespace Foam::stability
 namespace
 {
 
-// The part of a piece in a cell.
+// The part of a component in a cell.
 struct Part
 {
-    label piece;
+    label component;
     scalar area = 0;  // [m2]
     scalar bulge = 0; // [m3] between its triangles and the smooth surface, on the
                       // side of their normals
@@ -26,7 +26,7 @@ struct Part
 struct RegionCell
 {
     label cell;
-    std::vector<Part> parts; // by piece, ascending; none: nothing to share out
+    std::vector<Part> parts; // by component, ascending; none: nothing to share out
     bool open = false;       // true: one of them is not closed
 };
 
@@ -34,32 +34,33 @@ class ShareFinder
 {
 public:
     ShareFinder(
-        const InterfaceMesh& mesh, const ConnectedPieces& pieces,
+        const InterfaceMesh& mesh, const SurfaceComponents& components,
         const CellComplex& complex, const VolumeFractions& fractions, label nThreads
     )
-        : mesh_(mesh), pieces_(pieces), complex_(complex), alpha_(fractions.cells),
-          nThreads_(nThreads),
+        : mesh_(mesh), components_(components), complex_(complex),
+          alpha_(fractions.cells), nThreads_(nThreads),
           locator_(mesh.points, mesh.triangles, mesh.meanCellSize()),
           normals_(mesh.pointNormals()), places_(complex.nCells(), -1),
-          columns_(pieces.all.size())
+          columns_(components.all.size())
     {
     }
 
     std::vector<MaterialShare> run()
     {
-        std::vector<MaterialShare> shares(pieces_.all.size());
-        PieceCells cells(mesh_, complex_);
-        for (std::size_t i = 0; i < pieces_.all.size(); ++i)
+        std::vector<MaterialShare> shares(components_.all.size());
+        ComponentCells cells(mesh_, complex_);
+        for (std::size_t i = 0; i < components_.all.size(); ++i)
         {
-            if (pieces_.all[i].closed)
+            if (components_.all[i].closed)
             {
-                columns_[i].emplace(mesh_, pieces_.all[i]);
-                for (const label celli : cells.of(pieces_.all[i]))
+                columns_[i].emplace(mesh_, components_.all[i]);
+                for (const label celli : cells.of(components_.all[i]))
                 {
                     addCell(celli);
                 }
             }
         }
+        findNear();
         findParts(0);
         grow();
         shareOut(shares);
@@ -76,7 +77,35 @@ private:
         return std::min(alpha_[celli], 1 - alpha_[celli]);
     }
 
-    bool closed(label piece) const { return pieces_.all[piece].closed; }
+    bool closed(label component) const { return components_.all[component].closed; }
+
+    // The cells around those of the region, which are still the cut ones alone.
+    void findNear()
+    {
+        near_.assign(complex_.nCells(), 0);
+        std::vector<label> front, next;
+        for (const RegionCell& here : region_)
+        {
+            near_[here.cell] = 1;
+            front.push_back(here.cell);
+        }
+        for (label ring = 0; ring < reachOfShares; ++ring)
+        {
+            next.clear();
+            for (const label celli : front)
+            {
+                for (const label other : complex_.pointNeighbours(celli))
+                {
+                    if (!near_[other])
+                    {
+                        near_[other] = 1;
+                        next.push_back(other);
+                    }
+                }
+            }
+            front.swap(next);
+        }
+    }
 
     void addCell(label celli)
     {
@@ -100,7 +129,7 @@ private:
 
     void findParts(RegionCell& here) const
     {
-        const CellPieces cell(complex_, here.cell);
+        const CellSolid cell(complex_, here.cell);
         const scalar h = complex_.cellSizes()[here.cell];
         const point middle = cell.bounds().midpoint();
         DynamicList<label> near;
@@ -113,7 +142,7 @@ private:
             );
             if (area > 0)
             {
-                add(here.parts, pieces_.ofTriangles[trianglei], area, bulge(t));
+                add(here.parts, components_.ofTriangles[trianglei], area, bulge(t));
             }
         }
         constexpr scalar graze = 1e-9; // of the cell
@@ -126,23 +155,28 @@ private:
         {
             const SurfacePoint nearest =
                 locator_.closest(complex_.cellCentres()[here.cell], GREAT);
-            here.parts.push_back({pieces_.ofTriangles[nearest.triangle]});
+            const label pointi = mesh_.triangles[nearest.triangle][0];
+            if (nearest.distance < reachOfShares * mesh_.cellSizes[pointi])
+            {
+                here.parts.push_back({components_.ofTriangles[nearest.triangle]});
+            }
         }
         for (const Part& part : here.parts)
         {
-            here.open = here.open || !closed(part.piece);
+            here.open = here.open || !closed(part.component);
         }
     }
 
-    static void add(std::vector<Part>& parts, label piece, scalar area, scalar bulge)
+    static void
+    add(std::vector<Part>& parts, label component, scalar area, scalar bulge)
     {
         auto at = std::lower_bound(
-            parts.begin(), parts.end(), piece,
-            [](const Part& part, label other) { return part.piece < other; }
+            parts.begin(), parts.end(), component,
+            [](const Part& part, label other) { return part.component < other; }
         );
-        if (at == parts.end() || at->piece != piece)
+        if (at == parts.end() || at->component != component)
         {
-            at = parts.insert(at, Part{piece});
+            at = parts.insert(at, Part{component});
         }
         at->area += area;
         at->bulge += area * bulge;
@@ -179,7 +213,7 @@ private:
         }
     }
 
-    // On into the tails of alpha, not beyond what is nearer to an open piece.
+    // On into the tails of alpha, not beyond what is nearer to an open component.
     void grow()
     {
         for (std::size_t first = 0; first < region_.size();)
@@ -187,10 +221,17 @@ private:
             const std::size_t last = region_.size();
             for (std::size_t i = first; i < last; ++i)
             {
-                if (!region_[i].open)
+                if (!region_[i].open && !region_[i].parts.empty())
                 {
                     visitMixedNeighbours(
-                        region_[i].cell, [&](label other) { addCell(other); }
+                        region_[i].cell,
+                        [&](label other)
+                        {
+                            if (near_[other])
+                            {
+                                addCell(other);
+                            }
+                        }
                     );
                 }
             }
@@ -202,15 +243,15 @@ private:
     // [m3] of the first material that each part gains in this cell.
     std::vector<scalar> gains(const RegionCell& here) const
     {
-        const CellPieces cell(complex_, here.cell);
+        const CellSolid cell(complex_, here.cell);
         const std::vector<Part>& parts = here.parts;
         scalar surplus = alpha_[here.cell] * cell.volume();
         scalar largest = 0, weights = 0;
         for (const Part& part : parts)
         {
-            const scalar volume = pieces_.all[part.piece].volume;
+            const scalar volume = components_.all[part.component].volume;
             largest = mag(volume) > mag(largest) ? volume : largest;
-            surplus -= columns_[part.piece]->volumeIn(cell);
+            surplus -= columns_[part.component]->volumeIn(cell);
             weights += sqr(part.area);
         }
         // If the largest is a bubble, the first material lies around all of them.
@@ -219,8 +260,8 @@ private:
         {
             return {surplus};
         }
-        // Each piece is about as far off as the others, so the surplus is that of the
-        // areas, and most likely in the ratio of their squares.
+        // Each component is about as far off as the others, so the surplus is that of
+        // the areas, and most likely in the ratio of their squares.
         std::vector<scalar> result;
         for (const Part& part : parts)
         {
@@ -241,7 +282,7 @@ private:
 #pragma omp parallel for schedule(dynamic, 16) num_threads(nThreads_)
         for (label i = 0; i < n; ++i)
         {
-            if (!region_[i].open)
+            if (!region_[i].open && !region_[i].parts.empty())
             {
                 all[i] = gains(region_[i]);
             }
@@ -250,12 +291,12 @@ private:
         {
             for (std::size_t k = 0; k < all[i].size(); ++k)
             {
-                shares[region_[i].parts[k].piece].gain += all[i][k];
+                shares[region_[i].parts[k].component].gain.add(all[i][k]);
             }
         }
     }
 
-    // Adds up the volumes at borders between closed pieces and those that are not
+    // Adds up the volumes at borders between closed components and those that are not
     // closed.
     void weighBorders(std::vector<MaterialShare>& shares) const
     {
@@ -273,7 +314,7 @@ private:
                     here.cell,
                     [&](label other)
                     {
-                        if (region_[places_[other]].open)
+                        if (places_[other] >= 0 && region_[places_[other]].open)
                         {
                             unclear += std::min(
                                 impurity(here.cell) * V[here.cell],
@@ -285,13 +326,16 @@ private:
             }
             for (const Part& part : here.parts)
             {
-                shares[part.piece].openVolume += closed(part.piece) ? unclear : 0;
+                if (closed(part.component))
+                {
+                    shares[part.component].openVolume.add(unclear);
+                }
             }
         }
     }
 
     const InterfaceMesh& mesh_;
-    const ConnectedPieces& pieces_;
+    const SurfaceComponents& components_;
     const CellComplex& complex_;
     const scalarField& alpha_;
     label nThreads_;
@@ -299,17 +343,18 @@ private:
     vectorField normals_; // per point
     std::vector<RegionCell> region_;
     std::vector<label> places_; // per cell: where in the region
-    std::vector<std::optional<PieceColumns>> columns_;
+    std::vector<char> near_;    // per cell: 1 within the reach of the cut cells
+    std::vector<std::optional<ComponentColumns>> columns_;
 };
 
 } // namespace
 
 std::vector<MaterialShare> materialShares(
-    const InterfaceMesh& mesh, const ConnectedPieces& pieces,
+    const InterfaceMesh& mesh, const SurfaceComponents& components,
     const CellComplex& complex, const VolumeFractions& fractions, label nThreads
 )
 {
-    return ShareFinder(mesh, pieces, complex, fractions, nThreads).run();
+    return ShareFinder(mesh, components, complex, fractions, nThreads).run();
 }
 
 } // namespace Foam::stability

@@ -2,8 +2,11 @@
 
 #include "core/reconstruction/volumeFit/VolumeFit.H"
 
-#include "core/surface/InterfaceMotion.H"
+#include "core/flow/FractionsAround.H"
+#include "core/reconstruction/volumeFit/ComponentFit.H"
+#include "core/reconstruction/volumeFit/FitHomes.H"
 #include "core/reconstruction/volumeFit/MaterialShares.H"
+#include "core/surface/pieces/Redistribution.H"
 
 #include <algorithm>
 
@@ -13,210 +16,139 @@ namespace Foam::stability
 namespace
 {
 
-constexpr scalar exact = 1e-9; // relative
-
-class VolumeFitter
+// A triangle that was moved, for the rank that owns it.
+struct MovedTriangle
 {
-public:
-    VolumeFitter(
-        InterfaceMesh& mesh, const CellComplex& complex,
-        const VolumeFractions& fractions, label nThreads
-    )
-        : mesh_(mesh), complex_(complex), pieces_(mesh),
-          directions_(mesh.pointNormals()), moves_(mesh.points.size(), Zero),
-          moved_(mesh.points), fitted_(pieces_.all.size(), 0)
-    {
-        for (const ConnectedPiece& piece : pieces_.all)
-        {
-            result_.nClosed += piece.closed;
-        }
-        if (result_.nClosed > 0)
-        {
-            smoothDirections();
-            shares_ = materialShares(mesh, pieces_, complex, fractions, nThreads);
-        }
-    }
-
-    VolumeFitResult run()
-    {
-        for (std::size_t i = 0; i < shares_.size(); ++i)
-        {
-            if (pieces_.all[i].closed)
-            {
-                fit(i);
-            }
-        }
-        move();
-        return result_;
-    }
-
-private:
-    // Thin triangles have corners whose normals differ: where each corner goes its own
-    // way, they flip.
-    void smoothDirections()
-    {
-        constexpr label nSweeps = 5;
-        for (label sweep = 0; sweep < nSweeps; ++sweep)
-        {
-            vectorField sums(directions_.size(), Zero);
-            for (const triFace& t : mesh_.triangles)
-            {
-                const vector sum =
-                    directions_[t[0]] + directions_[t[1]] + directions_[t[2]];
-                sums[t[0]] += sum;
-                sums[t[1]] += sum;
-                sums[t[2]] += sum;
-            }
-            forAll(sums, pointi)
-            {
-                const scalar length = mag(sums[pointi]);
-                directions_[pointi] =
-                    length > VSMALL ? sums[pointi] / length : vector(Zero);
-            }
-        }
-    }
-
-    scalar target(std::size_t i) const
-    {
-        return pieces_.all[i].volume + shares_[i].gain;
-    }
-
-    bool isExact(std::size_t i, scalar volume) const
-    {
-        return mag(volume - target(i)) <= exact * mag(target(i));
-    }
-
-    // Its points, all by this distance [m] along their directions.
-    scalar volumeAt(const ConnectedPiece& piece, scalar distance)
-    {
-        for (const label pointi : piece.points)
-        {
-            moved_[pointi] = mesh_.points[pointi] + distance * directions_[pointi];
-        }
-        return volumeWithin(piece, mesh_.triangles, moved_);
-    }
-
-    void fit(std::size_t i)
-    {
-        constexpr scalar openShare = 1e-6;
-        const ConnectedPiece& piece = pieces_.all[i];
-        if (shares_[i].openVolume > openShare * mag(target(i)))
-        {
-            ++result_.nOpen;
-            return;
-        }
-        scalar smallest = GREAT;
-        for (const label pointi : piece.points)
-        {
-            smallest = std::min(smallest, mesh_.cellSizes[pointi]);
-        }
-        const scalar distance = distanceFor(i, largestFitMove * smallest);
-        if (mag(distance) > largestFitMove * smallest)
-        {
-            ++result_.nTooFar;
-        }
-        else if (folds(piece))
-        {
-            ++result_.nFolded;
-        }
-        else
-        {
-            fitted_[i] = 1;
-            for (const label pointi : piece.points)
-            {
-                moves_[pointi] = distance * directions_[pointi];
-            }
-        }
-    }
-
-    // By regula falsi and bisection, as the volume is monotonic within the limit; more
-    // than the limit [m] where there is none.
-    scalar distanceFor(std::size_t i, scalar limit)
-    {
-        constexpr label maxIterations = 100;
-        const ConnectedPiece& piece = pieces_.all[i];
-        scalar low = -limit, high = limit;
-        scalar lowExcess = volumeAt(piece, low) - target(i);
-        scalar highExcess = volumeAt(piece, high) - target(i);
-        scalar distance = 2 * limit;
-        for (label n = 0; n < maxIterations && lowExcess < 0 && highExcess > 0; ++n)
-        {
-            const bool halve = n % 3 == 2;
-            distance = halve
-                           ? 0.5 * (low + high)
-                           : low - lowExcess / (highExcess - lowExcess) * (high - low);
-            const scalar volume = volumeAt(piece, distance);
-            if (isExact(i, volume))
-            {
-                break;
-            }
-            (volume < target(i) ? low : high) = distance;
-            (volume < target(i) ? lowExcess : highExcess) = volume - target(i);
-        }
-        return distance;
-    }
-
-    bool folds(const ConnectedPiece& piece) const
-    {
-        const auto area = [](const pointField& x, const triFace& t)
-        { return (x[t[1]] - x[t[0]]) ^ (x[t[2]] - x[t[0]]); };
-        return std::any_of(
-            piece.triangles.begin(), piece.triangles.end(),
-            [&](label trianglei)
-            {
-                const triFace& t = mesh_.triangles[trianglei];
-                return (area(mesh_.points, t) & area(moved_, t)) <= 0;
-            }
-        );
-    }
-
-    // Components that walls do not let move as far as they should stay where they are.
-    void move()
-    {
-        const InterfaceMesh before(mesh_);
-        for (bool again = true; again;)
-        {
-            mesh_ = before;
-            result_.volume = moveInterface(mesh_, complex_, moves_);
-            again = false;
-            for (std::size_t i = 0; i < pieces_.all.size(); ++i)
-            {
-                const ConnectedPiece& piece = pieces_.all[i];
-                if (fitted_[i]
-                    && !isExact(i, volumeWithin(piece, mesh_.triangles, mesh_.points)))
-                {
-                    again = true;
-                    hold(i);
-                }
-            }
-        }
-        forAll(moves_, pointi)
-        {
-            const scalar move = mag(moves_[pointi]) / before.cellSizes[pointi];
-            result_.largestMove = std::max(result_.largestMove, move);
-        }
-    }
-
-    void hold(std::size_t i)
-    {
-        fitted_[i] = 0;
-        ++result_.nHeld;
-        for (const label pointi : pieces_.all[i].points)
-        {
-            moves_[pointi] = Zero;
-        }
-    }
-
-    InterfaceMesh& mesh_;
-    const CellComplex& complex_;
-    ConnectedPieces pieces_;
-    vectorField directions_;            // per point, unit or zero
-    std::vector<MaterialShare> shares_; // per piece
-    vectorField moves_;                 // per point [m]
-    pointField moved_;                  // for trial
-    std::vector<char> fitted_;          // per piece
-    VolumeFitResult result_;
+    label triangle;                 // index among the owned ones
+    FixedList<point, 3> points;     // [m]
+    FixedList<label, 3> cells;      // global
+    FixedList<scalar, 3> cellSizes; // [m]
 };
+
+// The largest size of a cell at a point, on any rank [m].
+scalar largestCell(const SurfacePiece& owned, const Exchange& exchange)
+{
+    scalar size = VSMALL;
+    for (const scalar h : owned.mesh.cellSizes)
+    {
+        size = std::max(size, h);
+    }
+    return largest(size, exchange);
+}
+
+// What touches the piece.
+SurfaceHalo touching(
+    const SurfacePiece& owned, const PeriodicImages* images, const Exchange& exchange
+)
+{
+    const scalar h = largestCell(owned, exchange);
+    VoxelMask mask(2 * h);
+    for (const point& x : owned.mesh.points)
+    {
+        mask.add(x, 0.5 * h);
+    }
+    return SurfaceHalo(owned, mask, exchange, images);
+}
+
+// The space around the components that are fitted here.
+VoxelMask spaceAround(const SurfacePiece& here, scalar voxelSize)
+{
+    VoxelMask space(voxelSize);
+    forAll(here.mesh.points, pointi)
+    {
+        space.add(here.mesh.points[pointi], reachOfFit * here.mesh.cellSizes[pointi]);
+    }
+    return space;
+}
+
+// True for each triangle of the halo whose component is fitted on this rank.
+List<bool>
+fittedHere(const SurfaceHalo& halo, const labelList& homes, const Exchange& exchange)
+{
+    const labelList homesOfAll(halo.triangleValues(homes));
+    List<bool> here(homesOfAll.size());
+    forAll(here, trianglei)
+    {
+        here[trianglei] = homesOfAll[trianglei] == exchange.rank()
+                          && halo.piece().keys[trianglei].image == 0;
+    }
+    return here;
+}
+
+// The triangles of each rank that were moved. `sent`: those that each rank sent here,
+// by their index there; `here`: the same ones joined.
+std::vector<DynamicList<MovedTriangle>> movedOfRanks(
+    const std::vector<List<label>>& sent, const JoinedSurface& here,
+    const SurfacePiece& halo, const InterfaceMesh& mesh, const List<bool>& moved,
+    const CellComplex& complex
+)
+{
+    std::vector<DynamicList<MovedTriangle>> result(sent.size());
+    DynamicList<labelPair> sources; // the rank, the index there
+    for (std::size_t ranki = 0; ranki < sent.size(); ++ranki)
+    {
+        for (const label trianglei : sent[ranki])
+        {
+            sources.append(labelPair(label(ranki), trianglei));
+        }
+    }
+    forAll(here.triangleSources, i)
+    {
+        const label inHalo = label(
+            std::lower_bound(halo.keys.begin(), halo.keys.end(), here.piece.keys[i])
+            - halo.keys.begin()
+        );
+        if (!moved[inHalo])
+        {
+            continue;
+        }
+        const labelPair& source = sources[here.triangleSources[i]];
+        MovedTriangle triangle;
+        triangle.triangle = source.second();
+        for (label k = 0; k < 3; ++k)
+        {
+            const label pointi = mesh.triangles[inHalo][k];
+            triangle.points[k] = mesh.points[pointi];
+            triangle.cells[k] = complex.globalCell(mesh.cells[pointi]);
+            triangle.cellSizes[k] = mesh.cellSizes[pointi];
+        }
+        result[source.first()].append(triangle);
+    }
+    return result;
+}
+
+void moveOwned(const std::vector<List<MovedTriangle>>& moved, SurfacePiece& owned)
+{
+    for (const List<MovedTriangle>& triangles : moved)
+    {
+        for (const MovedTriangle& triangle : triangles)
+        {
+            for (label k = 0; k < 3; ++k)
+            {
+                const label pointi = owned.mesh.triangles[triangle.triangle][k];
+                owned.mesh.points[pointi] = triangle.points[k];
+                owned.mesh.cells[pointi] = triangle.cells[k];
+                owned.mesh.cellSizes[pointi] = triangle.cellSizes[k];
+                owned.startPositions[pointi] = triangle.points[k];
+            }
+        }
+    }
+}
+
+VolumeFitResult totals(VolumeFitResult result, const Exchange& exchange)
+{
+    List<ExactSum> volume(1, result.volume);
+    sum(volume, exchange);
+    result.volume = volume[0];
+    result.largestMove = largest(result.largestMove, exchange);
+    for (label* count :
+         {&result.nClosed, &result.nTooFar, &result.nFolded, &result.nOpen,
+          &result.nHeld})
+    {
+        *count = exchange.total(*count);
+    }
+    return result;
+}
 
 } // namespace
 
@@ -227,12 +159,62 @@ const std::vector<std::string>& volumeFitNames()
 }
 
 VolumeFitResult fitVolumes(
-    InterfaceMesh& mesh, const CellComplex& complex, const VolumeFractions& fractions,
-    label nThreads
+    SurfacePiece& owned, const std::shared_ptr<const FlowSnapshot>& snapshot,
+    const Run& run
 )
 {
-    return mesh.empty() ? VolumeFitResult()
-                        : VolumeFitter(mesh, complex, fractions, nThreads).run();
+    constexpr label nRings = reachOfShares + 2; // cut cells are next to those of points
+    const Exchange& exchange = run.ranks;
+    const WholeMesh& whole = snapshot->complex->whole();
+    const PeriodicImages* images = whole.images.get();
+    labelList homes;
+    {
+        const SurfaceHalo halo(touching(owned, images, exchange));
+        homes = fitHomes(
+            owned, Components(halo, whole.bounds.centre(), exchange), exchange
+        );
+    }
+    std::vector<DynamicList<label>> toRanks(exchange.nRanks());
+    forAll(homes, trianglei)
+    {
+        if (homes[trianglei] >= 0)
+        {
+            toRanks[homes[trianglei]].append(trianglei);
+        }
+    }
+    const JoinedSurface here(redistributed(owned, toRanks, exchange));
+    const std::vector<List<label>> sent(exchange.exchangeLists(toRanks));
+    const scalar voxelSize = reachOfFit * largestCell(owned, exchange);
+    const SurfaceHalo around(
+        owned, spaceAround(here.piece, voxelSize), exchange, images
+    );
+    const List<bool> isWhole(fittedHere(around, homes, exchange));
+    const auto site =
+        fractionsAround(snapshot, here.piece.mesh.cells, nRings, exchange);
+
+    VolumeFitResult result;
+    std::vector<DynamicList<MovedTriangle>> moved(exchange.nRanks());
+    runOnAllRanks(
+        exchange,
+        [&]
+        {
+            if (here.piece.mesh.empty())
+            {
+                return;
+            }
+            InterfaceMesh mesh(around.mesh());
+            useLocalCells(mesh, *site->complex);
+            const ComponentFit fit(fitComponents(
+                mesh, isWhole, *site->complex, VolumeFractions(*site), run.nThreads
+            ));
+            result = fit.result;
+            moved = movedOfRanks(
+                sent, here, around.piece(), mesh, fit.moved, *site->complex
+            );
+        }
+    );
+    moveOwned(exchange.exchangeLists(moved), owned);
+    return totals(result, exchange);
 }
 
 } // namespace Foam::stability

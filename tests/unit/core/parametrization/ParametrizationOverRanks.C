@@ -130,6 +130,14 @@ TEST(ParametrizationOverRanks, IsTheSameWhateverIsWhere)
     );
     ASSERT_EQ(whole.nCharts, 7);
     ASSERT_EQ(whole.nFallbacks, 1);
+    EXPECT_EQ(whole.nPatches, 8);
+    ASSERT_EQ(whole.fallbacks.size(), 1u);
+    const ParametrizationFallback& flat = whole.fallbacks[0];
+    EXPECT_EQ(flat.patch, 4);
+    EXPECT_EQ(flat.nTriangles, 16);
+    EXPECT_LT(mag(flat.centre - point(1, 2, 3)), 1e-12);
+    EXPECT_NE(flat.what.find("lscm failed (it has no area"), std::string::npos)
+        << flat.what;
     ASSERT_GT(whole.nKept, 0);
     ASSERT_GT(whole.remeshingDistance, 0);
     const Triangles wanted = trianglesOf({whole});
@@ -148,9 +156,15 @@ TEST(ParametrizationOverRanks, IsTheSameWhateverIsWhere)
             EXPECT_EQ(result.nCharts, whole.nCharts);
             EXPECT_EQ(result.nFallbacks, whole.nFallbacks);
             EXPECT_EQ(result.nKept, whole.nKept);
+            EXPECT_EQ(result.nPatches, whole.nPatches);
             EXPECT_EQ(result.remeshingDistance, whole.remeshingDistance);
         }
         EXPECT_TRUE(trianglesOf(results) == wanted);
+        ASSERT_EQ(results[0].fallbacks.size(), 1u);
+        EXPECT_EQ(results[0].fallbacks[0].patch, flat.patch);
+        EXPECT_EQ(results[0].fallbacks[0].nTriangles, flat.nTriangles);
+        EXPECT_EQ(results[0].fallbacks[0].centre, flat.centre);
+        EXPECT_EQ(results[0].fallbacks[0].what, flat.what);
     }
 }
 

@@ -190,7 +190,28 @@ TEST(Remeshing, KeepsWhatIsNotManifold)
     const triFace t = surface.triangles[7];
     surface.points.append(surface.points[t[0]] + vector(0, 0, 0.3));
     surface.triangles.append(triFace(t[0], t[1], surface.points.size() - 1));
-    EXPECT_TRUE(remesh(surface, 0.5 * latticeSize).kept);
+    const RemeshingResult result = remesh(surface, 0.5 * latticeSize);
+    EXPECT_TRUE(result.kept);
+    EXPECT_EQ(result.failure, "it is not manifold");
+}
+
+// Points where there is no number, without an end of the run.
+TEST(Remeshing, KeepsWhatIsNotFinite)
+{
+    PlainSurface surface = raggedCap();
+    surface.points[surface.triangles[7][0]].x() = std::nan("");
+    const RemeshingResult result = remesh(surface, 0.5 * latticeSize);
+    EXPECT_TRUE(result.kept);
+    EXPECT_EQ(result.surface.triangles, surface.triangles);
+}
+
+// What is too small is kept as it should be.
+TEST(Remeshing, SaysNothingWhereNothingFailed)
+{
+    EXPECT_EQ(remesh(raggedCap(), 0.5 * latticeSize).failure, "");
+    const RemeshingResult small = remesh(sphere(point(1, 2, 3), 0.1, 2), 0.5);
+    EXPECT_TRUE(small.kept);
+    EXPECT_EQ(small.failure, "");
 }
 
 TEST(Remeshing, IsRepeatable)

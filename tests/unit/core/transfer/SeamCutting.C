@@ -35,10 +35,10 @@ struct Treated
 
 Treated carry(
     const InterfaceMesh& from, const InterfaceMesh& to,
-    const TransferOptions& options = TransferOptions()
+    const TransferOptions& options = TransferOptions(),
+    const MatchingOptions& matching = MatchingOptions()
 )
 {
-    MatchingOptions matching;
     const MatchTarget target(from, matching);
     Treated t{to, matchPoints(to, target, matching), {}};
     t.result = transfer(t.mesh, t.matches, target, options);
@@ -313,6 +313,20 @@ TEST(SeamCutting, threeChartsThatMeetInsideATriangle)
     ASSERT_EQ(t.mesh.points.size(), 7);
     EXPECT_LT(mag(t.mesh.points[3] - point(0, 0, 0.02)), 1e-4);
     expectSameSurface(t.mesh, to);
+    expectCharts(t.mesh, thirds, 1e-3 * chartScale);
+}
+
+// Without the gate a surface that faces the other way gets the vertex, too.
+TEST(SeamCutting, withoutTheGateSeamsMeetOnWhatFacesTheOtherWay)
+{
+    InterfaceMesh to = aroundTheOrigin();
+    to.triangles[0].flip();
+    MatchingOptions matching;
+    matching.normalGate = false;
+    const Treated t = carry(chartedSquare(thirds), to, TransferOptions(), matching);
+    EXPECT_EQ(t.mesh.triangles.size(), 6);
+    ASSERT_EQ(t.mesh.points.size(), 7);
+    EXPECT_LT(mag(t.mesh.points[3] - point(0, 0, 0.02)), 1e-4);
     expectCharts(t.mesh, thirds, 1e-3 * chartScale);
 }
 

@@ -16,11 +16,11 @@ namespace
 struct Shares
 {
     InterfaceMesh mesh;
-    std::vector<ConnectedPiece> pieces;
+    std::vector<SurfaceComponent> components;
     std::vector<MaterialShare> shares;
 
-    // [m3], with the sign of the piece.
-    scalar target(std::size_t i) const { return pieces[i].volume + shares[i].gain; }
+    // [m3], with the sign of the component.
+    scalar target(std::size_t i) const { return components[i].volume + shares[i].gain; }
 };
 
 Shares sharesOf(
@@ -31,11 +31,11 @@ Shares sharesOf(
     const FlowSnapshot snapshot = shapes::snapshotOf(complex, alpha);
     Shares result;
     result.mesh = Reconstruction::New(ReconstructionOptions())->extract(snapshot).mesh;
-    const ConnectedPieces pieces(result.mesh);
+    const SurfaceComponents components(result.mesh);
     result.shares = materialShares(
-        result.mesh, pieces, *complex, VolumeFractions(snapshot), nThreads
+        result.mesh, components, *complex, VolumeFractions(snapshot), nThreads
     );
-    result.pieces = pieces.all;
+    result.components = components.all;
     return result;
 }
 
@@ -53,14 +53,14 @@ TEST(MaterialShares, aBallHasAllOfAlpha)
         alpha[complex->findCell(point(11.5, 7.5, 7.5))] = wisp;
         const Shares found = sharesOf(complex, alpha);
         ASSERT_EQ(found.shares.size(), 1u);
-        EXPECT_GT(found.shares[0].gain, 0.02 * found.pieces[0].volume);
+        EXPECT_GT(found.shares[0].gain, 0.02 * found.components[0].volume);
         EXPECT_NEAR(found.target(0) / shapes::materialIn(*complex, alpha), 1, 1e-11);
         EXPECT_EQ(found.shares[0].openVolume, 0);
     }
 }
 
-// Nested pieces, with a wall of 3 and one of 1.1 cells between them, where single cells
-// are cut by both.
+// Nested components, with a wall of 3 and one of 1.1 cells between them, where single
+// cells are cut by both.
 TEST(MaterialShares, aBubbleInADropHasItsOwn)
 {
     const auto complex = shapes::box(shapes::boxOf(18));
@@ -76,7 +76,7 @@ TEST(MaterialShares, aBubbleInADropHasItsOwn)
         const scalar tolerance = shift > 0 ? 5e-4 : 1e-8;
         for (std::size_t i = 0; i < 2; ++i)
         {
-            const bool bubble = found.pieces[i].volume < 0;
+            const bool bubble = found.components[i].volume < 0;
             const scalar truth = shapes::materialIn(*complex, bubble ? inner : outer);
             EXPECT_NEAR(mag(found.target(i)) / truth, 1, tolerance);
         }
@@ -103,7 +103,7 @@ TEST(MaterialShares, whatIsSharedWithAFilmIsTold)
         label nClosed = 0;
         for (std::size_t i = 0; i < 2; ++i)
         {
-            if (!found.pieces[i].closed)
+            if (!found.components[i].closed)
             {
                 EXPECT_EQ(found.shares[i].gain, 0);
                 continue;

@@ -3,8 +3,8 @@
 // Closed components with the volume of their alpha. The truth is the sum of alpha V of
 // the shape by itself.
 
-#include "core/reconstruction/Reconstruction.H"
-#include "core/reconstruction/volumeFit/ConnectedPieces.H"
+#include "core/reconstruction/Extraction.H"
+#include "core/reconstruction/volumeFit/SurfaceComponents.H"
 #include "core/base/Errors.H"
 #include "shapes/ExactAlpha.H"
 #include "shapes/PolyMeshes.H"
@@ -32,7 +32,12 @@ ReconstructionResult fitted(
     options.sharpening = kind;
     options.volumeFit = fit;
     options.nThreads = nThreads;
-    return Reconstruction::New(options)->extract(snapshot);
+    ExtractedSurface extracted(extractSurface(
+        *Reconstruction::New(options), options,
+        std::make_shared<const FlowSnapshot>(snapshot), Run{SerialExchange(), nThreads}
+    ));
+    extracted.result.mesh = extracted.piece.mesh;
+    return extracted.result;
 }
 
 // Hexahedra, perturbed, tetrahedra, 2:1.
@@ -46,15 +51,15 @@ std::vector<Complex> meshes(label n)
         shapes::complexOf(shapes::refinedBox(shapes::boxOf(n), refine))};
 }
 
-// Of the closed pieces, ascending; bubbles are negative [m3].
+// Of the closed components, ascending; bubbles are negative [m3].
 std::vector<scalar> closedVolumes(const InterfaceMesh& mesh)
 {
     std::vector<scalar> volumes;
-    for (const ConnectedPiece& piece : ConnectedPieces(mesh).all)
+    for (const SurfaceComponent& component : SurfaceComponents(mesh).all)
     {
-        if (piece.closed)
+        if (component.closed)
         {
-            volumes.push_back(piece.volume);
+            volumes.push_back(component.volume);
         }
     }
     std::sort(volumes.begin(), volumes.end());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/reconstruction/volumeFit/ConnectedPieces.H"
+#include "core/reconstruction/volumeFit/SurfaceComponents.H"
 
 #include "core/surface/SurfaceTopology.H"
 
@@ -10,7 +10,9 @@
 namespace Foam::stability
 {
 
-ConnectedPieces::ConnectedPieces(const InterfaceMesh& mesh)
+SurfaceComponents::SurfaceComponents(
+    const InterfaceMesh& mesh, const UList<bool>& whole
+)
 {
     const SurfaceTopology topology(mesh.points.size(), mesh.triangles);
     ofTriangles = topology.components();
@@ -18,42 +20,49 @@ ConnectedPieces::ConnectedPieces(const InterfaceMesh& mesh)
     std::vector<label> ofPoints(mesh.points.size(), -1);
     forAll(mesh.triangles, trianglei)
     {
-        all[ofTriangles[trianglei]].triangles.push_back(trianglei);
+        SurfaceComponent& component = all[ofTriangles[trianglei]];
+        component.triangles.push_back(trianglei);
+        component.closed = component.closed && (whole.empty() || whole[trianglei]);
         for (const label pointi : mesh.triangles[trianglei])
         {
-            ofPoints[pointi] = ofTriangles[trianglei];
+            label& other = ofPoints[pointi];
+            if (other >= 0 && other != ofTriangles[trianglei])
+            {
+                all[other].closed = component.closed = false;
+            }
+            other = ofTriangles[trianglei];
         }
     }
     forAll(mesh.points, pointi)
     {
         if (ofPoints[pointi] >= 0)
         {
-            ConnectedPiece& piece = all[ofPoints[pointi]];
-            piece.points.push_back(pointi);
-            piece.closed = piece.closed && mesh.boundaryFaces[pointi] < 0;
+            SurfaceComponent& component = all[ofPoints[pointi]];
+            component.points.push_back(pointi);
+            component.closed = component.closed && mesh.boundaryFaces[pointi] < 0;
         }
     }
     for (const SurfaceEdge& edge : topology.edges())
     {
-        ConnectedPiece& piece = all[ofTriangles[edge.triangles[0]]];
-        piece.closed = piece.closed && edge.nTriangles == 2;
+        SurfaceComponent& component = all[ofTriangles[edge.triangles[0]]];
+        component.closed = component.closed && edge.nTriangles == 2;
     }
-    for (ConnectedPiece& piece : all)
+    for (SurfaceComponent& component : all)
     {
-        piece.volume =
-            piece.closed ? volumeWithin(piece, mesh.triangles, mesh.points) : 0;
+        component.volume =
+            component.closed ? volumeWithin(component, mesh.triangles, mesh.points) : 0;
     }
 }
 
 // Tetrahedra from one of its points, against round-off far from the origin.
 scalar volumeWithin(
-    const ConnectedPiece& piece, const UList<triFace>& triangles,
+    const SurfaceComponent& component, const UList<triFace>& triangles,
     const pointField& points
 )
 {
-    const point& referencePoint = points[piece.points[0]];
+    const point& referencePoint = points[component.points[0]];
     scalar sum = 0;
-    for (const label trianglei : piece.triangles)
+    for (const label trianglei : component.triangles)
     {
         const triFace& t = triangles[trianglei];
         const vector a = points[t[0]] - referencePoint,
@@ -64,14 +73,16 @@ scalar volumeWithin(
     return sum / 6;
 }
 
-PieceColumns::PieceColumns(const InterfaceMesh& mesh, const ConnectedPiece& piece)
-    : mesh_(mesh), piece_(piece)
+ComponentColumns::ComponentColumns(
+    const InterfaceMesh& mesh, const SurfaceComponent& component
+)
+    : mesh_(mesh), component_(component)
 {
     constexpr scalar trianglesPerBin = 2;
-    boxes_.resize(piece.triangles.size());
+    boxes_.resize(component.triangles.size());
     for (std::size_t i = 0; i < boxes_.size(); ++i)
     {
-        for (const label pointi : mesh.triangles[piece.triangles[i]])
+        for (const label pointi : mesh.triangles[component.triangles[i]])
         {
             boxes_[i].add(mesh.points[pointi]);
         }
@@ -101,7 +112,7 @@ PieceColumns::PieceColumns(const InterfaceMesh& mesh, const ConnectedPiece& piec
 }
 
 // The nearest bin where the point is beside all of them.
-PieceColumns::Bin PieceColumns::binOf(const point& x) const
+ComponentColumns::Bin ComponentColumns::binOf(const point& x) const
 {
     Bin bin;
     for (direction d = 0; d < 2; ++d)
@@ -113,7 +124,7 @@ PieceColumns::Bin PieceColumns::binOf(const point& x) const
     return bin;
 }
 
-scalar PieceColumns::volumeIn(const CellPieces& cell) const
+scalar ComponentColumns::volumeIn(const CellSolid& cell) const
 {
     const boundBox& box = cell.bounds();
     const Bin low = binOf(box.min()), high = binOf(box.max());
@@ -128,7 +139,7 @@ scalar PieceColumns::volumeIn(const CellPieces& cell) const
                 const Bin first = binOf(boxes_[k].min());
                 if (i == std::max(first[0], low[0]) && j == std::max(first[1], low[1]))
                 {
-                    const triFace& t = mesh_.triangles[piece_.triangles[k]];
+                    const triFace& t = mesh_.triangles[component_.triangles[k]];
                     sum += cell.volumeBelow(
                         {mesh_.points[t[0]], mesh_.points[t[1]], mesh_.points[t[2]]}
                     );

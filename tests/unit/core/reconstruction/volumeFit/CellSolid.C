@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/reconstruction/volumeFit/CellPieces.H"
+#include "core/reconstruction/volumeFit/CellSolid.H"
 #include "shapes/PlaneVolume.H"
 #include "shapes/PolyMeshes.H"
 
@@ -36,7 +36,7 @@ Corners wideTriangle(const point& x, const vector& normal)
 
 } // namespace
 
-TEST(CellPieces, volumesAreThoseOfTheMesh)
+TEST(CellSolid, volumesAreThoseOfTheMesh)
 {
     for (const CellComplexInput& input :
          {shapes::perturbedBox(boxOptions()), shapes::tetrahedralBox(boxOptions()),
@@ -46,12 +46,12 @@ TEST(CellPieces, volumesAreThoseOfTheMesh)
         for (label celli = 0; celli < complex->nCells(); ++celli)
         {
             const scalar V = complex->cellVolumes()[celli];
-            EXPECT_NEAR(CellPieces(*complex, celli).volume() / V, 1, 1e-12);
+            EXPECT_NEAR(CellSolid(*complex, celli).volume() / V, 1, 1e-12);
         }
     }
 }
 
-TEST(CellPieces, aPlaneCutsWhatTheClosedFormSays)
+TEST(CellSolid, aPlaneCutsWhatTheClosedFormSays)
 {
     const auto complex = shapes::box(boxOptions());
     const vector normals[] = {{0.3, 0.4, 0.9}, {-2, 1, 0.8}, {0.1, 1, -0.3}};
@@ -67,7 +67,7 @@ TEST(CellPieces, aPlaneCutsWhatTheClosedFormSays)
         label nCut = 0;
         for (label celli = 0; celli < complex->nCells(); ++celli)
         {
-            const CellPieces cell(*complex, celli);
+            const CellSolid cell(*complex, celli);
             const scalar level = (normal.z() > 0 ? 1 : -1) / mag(normal)
                                  * ((complex->cellCentres()[celli] - x) & normal);
             const auto share = [&](scalar d)
@@ -87,7 +87,7 @@ TEST(CellPieces, aPlaneCutsWhatTheClosedFormSays)
 }
 
 // Each bit of a triangle lies in one cell.
-TEST(CellPieces, theAreasInAllCellsAreTheTriangle)
+TEST(CellSolid, theAreasInAllCellsAreTheTriangle)
 {
     for (const CellComplexInput& input :
          {shapes::perturbedBox(boxOptions()), shapes::tetrahedralBox(boxOptions())})
@@ -100,20 +100,20 @@ TEST(CellPieces, theAreasInAllCellsAreTheTriangle)
         scalar area = 0;
         for (label celli = 0; celli < complex->nCells(); ++celli)
         {
-            area += CellPieces(*complex, celli).areaWithin(triangle);
+            area += CellSolid(*complex, celli).areaWithin(triangle);
         }
         const vector S = (triangle[1] - triangle[0]) ^ (triangle[2] - triangle[0]);
         EXPECT_NEAR(area / (0.5 * mag(S)), 1, 1e-12);
     }
 }
 
-TEST(CellPieces, anUprightTriangleHasNothingBelow)
+TEST(CellSolid, anUprightTriangleHasNothingBelow)
 {
     const auto complex = shapes::box(boxOptions());
     const Corners triangle =
         wideTriangle(complex->bounds().midpoint(), vector(1, 2, 0));
     for (label celli = 0; celli < complex->nCells(); ++celli)
     {
-        EXPECT_NEAR(CellPieces(*complex, celli).volumeBelow(triangle), 0, 1e-12);
+        EXPECT_NEAR(CellSolid(*complex, celli).volumeBelow(triangle), 0, 1e-12);
     }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/reconstruction/volumeFit/ConnectedPieces.H"
+#include "core/reconstruction/volumeFit/SurfaceComponents.H"
 #include "core/reconstruction/Reconstruction.H"
 #include "shapes/ExactAlpha.H"
 #include "shapes/PolyMeshes.H"
@@ -41,46 +41,46 @@ shapes::Shape shellAndBall()
 
 } // namespace
 
-TEST(ConnectedPieces, whatIsClosedAndWhichWayRound)
+TEST(SurfaceComponents, whatIsClosedAndWhichWayRound)
 {
     const InterfaceMesh surface = surfaceOf(mesh(18), shellAndBall());
-    const ConnectedPieces pieces(surface);
-    ASSERT_EQ(pieces.all.size(), 3u);
+    const SurfaceComponents components(surface);
+    ASSERT_EQ(components.all.size(), 3u);
     std::size_t nTriangles = 0, nPoints = 0;
     label nClosed = 0;
-    for (const ConnectedPiece& piece : pieces.all)
+    for (const SurfaceComponent& component : components.all)
     {
-        nTriangles += piece.triangles.size();
-        nPoints += piece.points.size();
-        nClosed += piece.closed;
-        const bool outer = piece.volume > 0, inner = piece.volume < 0;
-        const scalar radius = std::cbrt(3 * mag(piece.volume) / (4 * M_PI));
+        nTriangles += component.triangles.size();
+        nPoints += component.points.size();
+        nClosed += component.closed;
+        const bool outer = component.volume > 0, inner = component.volume < 0;
+        const scalar radius = std::cbrt(3 * mag(component.volume) / (4 * M_PI));
         EXPECT_NEAR(radius, outer ? 5.3 : inner ? 2.6 : 0, outer || inner ? 0.15 : 0);
-        EXPECT_EQ(piece.closed, outer || inner);
+        EXPECT_EQ(component.closed, outer || inner);
     }
     EXPECT_EQ(nClosed, 2);
     EXPECT_EQ(nTriangles, std::size_t(surface.triangles.size()));
     EXPECT_EQ(nPoints, std::size_t(surface.points.size()));
 }
 
-TEST(ConnectedPieces, theVolumesInAllCellsAreThatOfThePiece)
+TEST(SurfaceComponents, theVolumesInAllCellsAreThatOfTheComponent)
 {
     const auto complex = mesh(18);
     const InterfaceMesh surface = surfaceOf(complex, shellAndBall());
-    const ConnectedPieces pieces(surface);
-    for (const ConnectedPiece& piece : pieces.all)
+    const SurfaceComponents components(surface);
+    for (const SurfaceComponent& component : components.all)
     {
-        if (!piece.closed)
+        if (!component.closed)
         {
             continue;
         }
-        const PieceColumns columns(surface, piece);
-        const scalar sign = piece.volume > 0 ? 1 : -1;
+        const ComponentColumns columns(surface, component);
+        const scalar sign = component.volume > 0 ? 1 : -1;
         scalar sum = 0;
         label nWhole = 0, nCut = 0;
         for (label celli = 0; celli < complex->nCells(); ++celli)
         {
-            const CellPieces cell(*complex, celli);
+            const CellSolid cell(*complex, celli);
             const scalar share = sign * columns.volumeIn(cell) / cell.volume();
             EXPECT_GT(share, -1e-12);
             EXPECT_LT(share, 1 + 1e-12);
@@ -88,13 +88,13 @@ TEST(ConnectedPieces, theVolumesInAllCellsAreThatOfThePiece)
             nCut += share > 1e-9 && share < 1 - 1e-9;
             sum += sign * share * cell.volume();
         }
-        EXPECT_NEAR(sum / piece.volume, 1, 1e-12);
+        EXPECT_NEAR(sum / component.volume, 1, 1e-12);
         EXPECT_GT(nWhole, 10);
         EXPECT_GT(nCut, 80);
     }
 }
 
-TEST(ConnectedPieces, nothingIsNoPiece)
+TEST(SurfaceComponents, nothingIsNoComponent)
 {
-    EXPECT_TRUE(ConnectedPieces(InterfaceMesh()).all.empty());
+    EXPECT_TRUE(SurfaceComponents(InterfaceMesh()).all.empty());
 }

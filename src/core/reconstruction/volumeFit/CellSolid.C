@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/reconstruction/volumeFit/CellPieces.H"
+#include "core/reconstruction/volumeFit/CellSolid.H"
 
 #include <algorithm>
 
@@ -146,7 +146,7 @@ boundBox boundsOf(const CellComplex& complex, label celli)
     return bounds;
 }
 
-CellPieces::CellPieces(const CellComplex& complex, label celli)
+CellSolid::CellSolid(const CellComplex& complex, label celli)
     : origin_(complex.cellCentres()[celli]), bounds_(boundsOf(complex, celli))
 {
     for (const label facei : complex.cellFaces()[celli])
@@ -168,34 +168,34 @@ CellPieces::CellPieces(const CellComplex& complex, label celli)
     }
 }
 
-void CellPieces::add(const point& a, const point& b, const point& c)
+void CellSolid::add(const point& a, const point& b, const point& c)
 {
     const Tet tet{point(Zero), a, b, c};
     const scalar volume = sixfold(tet) / 6;
     volume_ += volume;
-    pieces_.push_back(
+    tets_.push_back(
         {tet, min(min(a, b), min(c, point(Zero))), max(max(a, b), max(c, point(Zero))),
          volume < 0 ? -1.0 : 1.0}
     );
 }
 
-scalar CellPieces::areaWithin(const Corners& triangle) const
+scalar CellSolid::areaWithin(const Corners& triangle) const
 {
     const Corners t{
         triangle[0] - origin_, triangle[1] - origin_, triangle[2] - origin_};
     const point low = min(t[0], min(t[1], t[2])), high = max(t[0], max(t[1], t[2]));
     scalar sum = 0;
-    for (const Piece& piece : pieces_)
+    for (const SignedTet& tet : tets_)
     {
-        if (cmptMin(high - piece.low) > 0 && cmptMin(piece.high - low) > 0)
+        if (cmptMin(high - tet.low) > 0 && cmptMin(tet.high - low) > 0)
         {
-            sum += piece.sign * areaIn(piece.corners, t, piece.sign);
+            sum += tet.sign * areaIn(tet.corners, t, tet.sign);
         }
     }
     return 0.5 * sum;
 }
 
-scalar CellPieces::volumeBelow(const Corners& triangle) const
+scalar CellSolid::volumeBelow(const Corners& triangle) const
 {
     constexpr scalar upright = 1e-12;
     Corners t{triangle[0] - origin_, triangle[1] - origin_, triangle[2] - origin_};
@@ -213,13 +213,12 @@ scalar CellPieces::volumeBelow(const Corners& triangle) const
     const point high = max(t[0], max(t[1], t[2]));
     low.z() = -GREAT;
     scalar sum = 0;
-    for (const Piece& piece : pieces_)
+    for (const SignedTet& tet : tets_)
     {
-        if (cmptMin(high - piece.low) > 0 && cmptMin(piece.high - low) > 0)
+        if (cmptMin(high - tet.low) > 0 && cmptMin(tet.high - low) > 0)
         {
-            sum +=
-                piece.sign
-                * clipped(piece.corners, column.data(), column.data() + column.size());
+            sum += tet.sign
+                   * clipped(tet.corners, column.data(), column.data() + column.size());
         }
     }
     return (normal.z() > 0 ? 1 : -1) * sum / 6;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/reconstruction/volumeFit/PieceCells.H"
+#include "core/reconstruction/volumeFit/ComponentCells.H"
 #include "core/reconstruction/Reconstruction.H"
 #include "shapes/ExactAlpha.H"
 #include "shapes/PolyMeshes.H"
@@ -12,7 +12,7 @@
 using namespace Foam;
 using namespace Foam::stability;
 
-TEST(PieceCells, allThatAPieceCutsAndNoneFarAway)
+TEST(ComponentCells, allThatAComponentCutsAndNoneFarAway)
 {
     shapes::BoxOptions options;
     options.max = point(16, 16, 16);
@@ -28,19 +28,19 @@ TEST(PieceCells, allThatAPieceCutsAndNoneFarAway)
         const InterfaceMesh mesh = Reconstruction::New(ReconstructionOptions())
                                        ->extract(shapes::snapshotOf(complex, balls))
                                        .mesh;
-        const ConnectedPieces pieces(mesh);
-        ASSERT_EQ(pieces.all.size(), 2u);
-        PieceCells finder(mesh, *complex);
-        for (const ConnectedPiece& piece : pieces.all)
+        const SurfaceComponents components(mesh);
+        ASSERT_EQ(components.all.size(), 2u);
+        ComponentCells finder(mesh, *complex);
+        for (const SurfaceComponent& component : components.all)
         {
-            std::vector<label> cells = finder.of(piece);
+            std::vector<label> cells = finder.of(component);
             std::sort(cells.begin(), cells.end());
             EXPECT_TRUE(std::adjacent_find(cells.begin(), cells.end()) == cells.end());
-            const PieceColumns columns(mesh, piece);
+            const ComponentColumns columns(mesh, component);
             label nCut = 0;
             for (label celli = 0; celli < complex->nCells(); ++celli)
             {
-                const CellPieces cell(*complex, celli);
+                const CellSolid cell(*complex, celli);
                 const scalar share = columns.volumeIn(cell) / cell.volume();
                 const bool cut = share > 1e-9 && share < 1 - 1e-9;
                 nCut += cut;

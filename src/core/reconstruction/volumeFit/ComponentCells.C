@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/reconstruction/volumeFit/PieceCells.H"
+#include "core/reconstruction/volumeFit/ComponentCells.H"
 
 namespace Foam::stability
 {
 
-PieceCells::PieceCells(const InterfaceMesh& mesh, const CellComplex& complex)
+ComponentCells::ComponentCells(const InterfaceMesh& mesh, const CellComplex& complex)
     : mesh_(mesh), complex_(complex), marks_(complex.nCells(), 0),
       visits_(complex.nCells(), -1)
 {
 }
 
-const std::vector<label>& PieceCells::of(const ConnectedPiece& piece)
+const std::vector<label>& ComponentCells::of(const SurfaceComponent& component)
 {
-    ++piece_;
+    ++component_;
     cells_.clear();
-    for (const label trianglei : piece.triangles)
+    for (const label trianglei : component.triangles)
     {
         addCellsOf(trianglei);
     }
     return cells_;
 }
 
-void PieceCells::addCellsOf(label trianglei)
+void ComponentCells::addCellsOf(label trianglei)
 {
     triangle_ = trianglei;
     front_.clear();
@@ -37,9 +37,9 @@ void PieceCells::addCellsOf(label trianglei)
         const label celli = front_[i];
         if (boundsOf(complex_, celli).overlaps(box))
         {
-            if (marks_[celli] != piece_)
+            if (marks_[celli] != component_)
             {
-                marks_[celli] = piece_;
+                marks_[celli] = component_;
                 cells_.push_back(celli);
             }
             visitAround(celli);
@@ -47,7 +47,7 @@ void PieceCells::addCellsOf(label trianglei)
     }
 }
 
-void PieceCells::visit(label celli)
+void ComponentCells::visit(label celli)
 {
     if (visits_[celli] != triangle_)
     {
@@ -57,7 +57,7 @@ void PieceCells::visit(label celli)
 }
 
 // The cells that share a point with this one.
-void PieceCells::visitAround(label celli)
+void ComponentCells::visitAround(label celli)
 {
     for (const label facei : complex_.cellFaces()[celli])
     {
