@@ -76,7 +76,12 @@ Comparison::Setting StabilityTracker::setting() const
 {
     const ReconstructionFrom& change = settings_[activeSettings()];
     return {
-        latest_, change.matching, change.transfer, latest_->time - lastClassified_,
+        latest_,
+        change.matching,
+        change.transfer,
+        latest_->time - lastClassified_,
+        hasOpenings_ ? &history_ : nullptr,
+        options_.integration,
         Run{exchange_, options_.nThreads}};
 }
 
@@ -107,17 +112,11 @@ void StabilityTracker::start(std::shared_ptr<const FlowSnapshot> snapshot)
     latestVelocity_ = velocityOf(snapshot);
     latest_ = std::move(snapshot);
     lastClassified_ = latest_->time;
-}
-
-IntegrationCounts StabilityTracker::sumOf(const IntegrationCounts& here) const
-{
-    IntegrationCounts all;
-    all.nSteps = exchange_.total(here.nSteps);
-    all.nRejected = exchange_.total(here.nRejected);
-    all.nLeft = exchange_.total(here.nLeft);
-    all.nStuck = exchange_.total(here.nStuck);
-    all.nLost = exchange_.total(here.nLost);
-    return all;
+    const List<BoundaryKind>& kinds = complex().kinds();
+    const bool opens =
+        std::find(kinds.begin(), kinds.end(), BoundaryKind::open) != kinds.end();
+    hasOpenings_ = exchange_.total(opens) > 0;
+    history_.begin(latestVelocity_);
 }
 
 void StabilityTracker::advance(std::shared_ptr<const FlowSnapshot> snapshot)
@@ -145,6 +144,10 @@ void StabilityTracker::advance(std::shared_ptr<const FlowSnapshot> snapshot)
     }
     latest_ = std::move(snapshot);
     latestVelocity_ = velocity;
+    if (hasOpenings_)
+    {
+        history_.add(velocity);
+    }
 }
 
 scalar StabilityTracker::displacement()
@@ -205,7 +208,7 @@ void StabilityTracker::compare(const ExtractedSurface& extracted)
 {
     enter(Phase::matching);
     std::optional<ScopedTimer> watch(timings_.matching);
-    timeSurface_.collectPoints(complex(), exchange_);
+    timeSurface_.collectPoints(latest_->time, complex(), exchange_);
     Comparison comparison(setting(), extracted.piece, timeSurface_);
     comparison.match();
     watch.emplace(timings_.reconstruction);
@@ -253,7 +256,7 @@ void StabilityTracker::computeStatistics(const ExtractedSurface& extracted)
     addSurfaceStatistics(
         statistics, result_.interface, result_.timeSurface, result_.epsilon, exchange_
     );
-    addDisplacement(
+    addMotion(
         statistics, result_.timeSurface, timeSurface_.piece().startPositions, exchange_
     );
 }
@@ -304,8 +307,8 @@ const Classification& StabilityTracker::classify()
     result_ = Classification();
     result_.index = nClassified_;
     result_.epsilon = settings_[activeSettings()].matching.epsilon;
-    result_.timeSurfaceCounts = sumOf(std::exchange(surfaceCounts_, {}));
-    result_.particleCounts = sumOf(std::exchange(particleCounts_, {}));
+    result_.timeSurfaceCounts = total(std::exchange(surfaceCounts_, {}), exchange_);
+    result_.particleCounts = total(std::exchange(particleCounts_, {}), exchange_);
 
     const ExtractedSurface extracted(extract());
     const bool begins =
@@ -321,6 +324,7 @@ const Classification& StabilityTracker::classify()
     result_.droplets = gatheredDroplets(result_.droplets, exchange_);
 
     lastClassified_ = latest_->time;
+    history_.begin(latestVelocity_);
     ++nClassified_;
     return result_;
 }
