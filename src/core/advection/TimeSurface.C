@@ -21,7 +21,8 @@ struct Arrival
     point x;         // [m]
     label cell;      // global; -1: none
     scalar cellSize; // [m]
-    bool nearWall, left;
+    bool nearWall;
+    PathlineState state;
 };
 
 // The image of the cell in which the pathline would be, had it not been brought back.
@@ -40,7 +41,7 @@ void TimeSurface::send(
 )
 {
     const InterfaceMesh& mesh = piece_.mesh;
-    left_ = List<bool>(mesh.points.size(), false);
+    states_ = List<PathlineState>(mesh.points.size(), PathlineState::moving);
     pathlines_.clear();
     forAll(mesh.points, pointi)
     {
@@ -130,7 +131,7 @@ void TimeSurface::collectPoints(const CellComplex& complex, const Exchange& exch
         arrival.cell = celli < 0 ? -1 : unwrappedCell(path, complex);
         arrival.cellSize = celli < 0 ? 0 : complex.cellSizes()[celli];
         arrival.nearWall = celli >= 0 && complex.nearWall(celli);
-        arrival.left = path.state == PathlineState::left;
+        arrival.state = path.state;
         toRanks[path.home].append(arrival);
     }
     for (const List<Arrival>& arrivals : exchange.exchangeLists(toRanks))
@@ -138,7 +139,7 @@ void TimeSurface::collectPoints(const CellComplex& complex, const Exchange& exch
         for (const Arrival& arrival : arrivals)
         {
             piece_.mesh.points[arrival.id] = arrival.x;
-            left_[arrival.id] = arrival.left;
+            states_[arrival.id] = arrival.state;
             if (arrival.cell >= 0)
             {
                 piece_.mesh.cells[arrival.id] = arrival.cell;

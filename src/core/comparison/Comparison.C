@@ -142,11 +142,12 @@ void Comparison::match()
         [&]
         {
             const MatchingOptions& options = setting_.matching;
-            target_.emplace(timeSurface_.mesh(), options);
+            const ThinWalls* walls = setting_.whole().thinWalls.get();
+            target_.emplace(timeSurface_.mesh(), options, walls);
             onInterface_ = matchPoints(near_.mesh, *target_, options);
             onTimeSurface_ = matchPoints(
-                timeSurface_.mesh(), MatchTarget(interface_.mesh(), options), options,
-                timeSurface_.owned()
+                timeSurface_.mesh(), MatchTarget(interface_.mesh(), options, walls),
+                options, timeSurface_.owned()
             );
         }
     );
@@ -250,12 +251,17 @@ ClassifiedSurface describe(
     forEachMark([&](const char*, const MarkFiles&, const auto& mark)
                 { mark(surface) = halo.toHalo(mark(marks)); });
     surface.areas = halo.mesh().pointAreas(); // as they are now
-    const List<bool> left(halo.toHalo(timeSurface.left()));
-    forAll(left, pointi)
+    const List<PathlineState> states(halo.toHalo(timeSurface.states()));
+    forAll(states, pointi)
     {
-        if (left[pointi])
+        Stability& stability = surface.stability[pointi];
+        if (states[pointi] == PathlineState::left)
         {
-            surface.stability[pointi] = Stability::left;
+            stability = Stability::left;
+        }
+        else if (states[pointi] != PathlineState::moving && stability == Stability::detached)
+        {
+            stability = Stability::untracked;
         }
     }
     surface.components =

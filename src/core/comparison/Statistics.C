@@ -130,7 +130,7 @@ void addInterface(
     }
 }
 
-// `areas`: what left is zero there on return.
+// `areas`: what left or is untracked is zero there on return.
 void addTimeSurface(
     Statistics& statistics, const ClassifiedSurface& surface, scalarField& areas,
     const Exchange& exchange
@@ -138,7 +138,7 @@ void addTimeSurface(
 {
     Sums sums;
     for (scalar* target :
-         {&statistics.timeSurfaceArea, &statistics.leftArea,
+         {&statistics.timeSurfaceArea, &statistics.leftArea, &statistics.untrackedArea,
           &statistics.detachedNearWall, &statistics.detachedElsewhere,
           &statistics.detachedThin, &statistics.detachedResolved})
     {
@@ -150,6 +150,11 @@ void addTimeSurface(
         if (surface.stability[pointi] == Stability::left)
         {
             sums.add(statistics.leftArea, area);
+            area = 0;
+        }
+        else if (surface.stability[pointi] == Stability::untracked)
+        {
+            sums.add(statistics.untrackedArea, area);
             area = 0;
         }
         sums.add(statistics.timeSurfaceArea, area);

@@ -78,7 +78,8 @@ private:
         {
             starts_[pointi] = {
                 mesh_.points[pointi], -normals[pointi],
-                spanOf(complex_, mesh_.cells[pointi]), wallsAt(pointi)};
+                spanOf(complex_, mesh_.cells[pointi]), mesh_.cells[pointi],
+                wallsAt(pointi)};
             moves_[pointi].direction = -normals[pointi];
         }
     }
@@ -122,7 +123,9 @@ private:
         {
             plic_ = fitPlic(complex_, fractions_, nThreads_);
             const bool regular = allHexahedra(complex_, plic_.fits);
-            plicBlend_.emplace(plic_.fits, regular ? reachInHexahedra : reachElsewhere);
+            plicBlend_.emplace(
+                complex_, plic_.fits, regular ? reachInHexahedra : reachElsewhere
+            );
         }
         const PointSharpener plicAlone(plicBlend_ ? &*plicBlend_ : nullptr, nullptr);
         const label n = starts_.size();
@@ -138,7 +141,7 @@ private:
         if (kind_ != Sharpening::plic && nDoubtful > 0)
         {
             profile_ = fitProfiles(complex_, fractions_, nThreads_, ringsOfFits());
-            profileBlend_.emplace(profile_.fits, reachInHexahedra);
+            profileBlend_.emplace(complex_, profile_.fits, reachInHexahedra);
         }
         result_.nFits = plic_.fits.size() + profile_.fits.size();
         result_.nFailed = plic_.nFailed + profile_.nFailed;
