@@ -291,6 +291,12 @@ void AnalysisSession::announce() const
         }
         Info << endl;
     }
+    for (const WallPatch& wall : snapshots_.walls())
+    {
+        Info << "interfaceStability: patch " << wall.name
+             << " is taken for a wall: its velocity (" << wall.condition
+             << ") runs along it" << nl << endl;
+    }
     for (const std::string& patch : snapshots_.openCoupled())
     {
         Info << "interfaceStability: patch " << patch.c_str()

@@ -72,7 +72,7 @@ class Survival:
         for index in indices:
             t, m = run.surface("timeSurface", index), run.surface("interface", index)
             self.area += m.triangle_areas().sum() / len(indices)
-            present = t.inside_areas()
+            present = np.where(t["stability"] == 5, 0, t.inside_areas())
             for part, mask in self._parts(run, resolution, index, t):
                 of_part = present[mask]
                 areas[part] += of_part.sum()

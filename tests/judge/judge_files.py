@@ -334,7 +334,7 @@ def check_drift(findings, m, t, row, interval):
                 not wrong and not still,
                 f"{wrong} in {surface.path.name}",
             )
-    areas = np.where(t["stability"] == 3, 0, t.point_areas()) if t.n else np.zeros(0)
+    areas = np.where(np.isin(t["stability"], (3, 5)), 0, t.point_areas()) if t.n else np.zeros(0)
     sizes = np.abs(t["driftSpeed"]) if t.n else np.zeros(0)
     for percent in (50, 90, 99):
         value = row[f"driftSpeed{percent}"]

@@ -97,6 +97,12 @@ private:
         return surface_.stability[pointi] == Stability::detached;
     }
 
+    // No triangle of such a corner says where the flow carried it.
+    bool untracked(label pointi) const
+    {
+        return surface_.stability[pointi] == Stability::untracked;
+    }
+
     // Each point gets the key of its first triangle, which is own for primary points.
     void addPoints()
     {
@@ -135,7 +141,8 @@ private:
         {
             const triFace& t = mesh_.triangles[trianglei];
             if (!halo_.isOwn(trianglei)
-                || !(detached(t[0]) || detached(t[1]) || detached(t[2])))
+                || !(detached(t[0]) || detached(t[1]) || detached(t[2]))
+                || untracked(t[0]) || untracked(t[1]) || untracked(t[2]))
             {
                 continue;
             }

@@ -21,7 +21,8 @@ struct Arrival
     point x;         // [m]
     label cell;      // global; -1: none
     scalar cellSize; // [m]
-    bool nearWall, left;
+    bool nearWall;
+    PathlineState state;
     vector beyond; // [m], Crossings::beyond
 };
 
@@ -42,6 +43,7 @@ void TimeSurface::send(
 {
     const InterfaceMesh& mesh = piece_.mesh;
     left_ = Crossings(mesh.points.size());
+    states_ = List<PathlineState>(mesh.points.size(), PathlineState::moving);
     pathlines_.clear();
     forAll(mesh.points, pointi)
     {
@@ -133,8 +135,9 @@ void TimeSurface::collectPoints(
         arrival.cell = celli < 0 ? -1 : unwrappedCell(path, complex);
         arrival.cellSize = celli < 0 ? 0 : complex.cellSizes()[celli];
         arrival.nearWall = celli >= 0 && complex.nearWall(celli);
-        arrival.left = path.state == PathlineState::left;
-        arrival.beyond = arrival.left ? beyondExit(path, time) : vector(Zero);
+        arrival.state = path.state;
+        const bool left = path.state == PathlineState::left;
+        arrival.beyond = left ? beyondExit(path, time) : vector(Zero);
         toRanks[path.home].append(arrival);
     }
     for (const List<Arrival>& arrivals : exchange.exchangeLists(toRanks))
@@ -142,7 +145,8 @@ void TimeSurface::collectPoints(
         for (const Arrival& arrival : arrivals)
         {
             piece_.mesh.points[arrival.id] = arrival.x;
-            left_.crossed[arrival.id] = arrival.left;
+            states_[arrival.id] = arrival.state;
+            left_.crossed[arrival.id] = arrival.state == PathlineState::left;
             left_.ends[arrival.id] = arrival.x;
             left_.beyond[arrival.id] = arrival.beyond;
             if (arrival.cell >= 0)

@@ -144,11 +144,12 @@ void Comparison::match()
         [&]
         {
             const MatchingOptions& options = setting_.matching;
-            target_.emplace(timeSurface_.mesh(), options);
+            const ThinWalls* walls = setting_.whole().thinWalls.get();
+            target_.emplace(timeSurface_.mesh(), options, walls);
             onInterface_ = matchPoints(near_.mesh, *target_, options);
             onTimeSurface_ = matchPoints(
-                timeSurface_.mesh(), MatchTarget(interface_.mesh(), options), options,
-                timeSurface_.owned()
+                timeSurface_.mesh(), MatchTarget(interface_.mesh(), options, walls),
+                options, timeSurface_.owned()
             );
         }
     );
@@ -284,11 +285,17 @@ ClassifiedSurface describe(
                          timeSurface.piece().mesh.triangles, timeSurface.left(), false
                      ))
     );
-    forAll(left.crossed, pointi)
+    const List<PathlineState> states(halo.toHalo(timeSurface.states()));
+    forAll(states, pointi)
     {
-        if (left.crossed[pointi])
+        Stability& stability = surface.stability[pointi];
+        if (states[pointi] == PathlineState::left)
         {
-            surface.stability[pointi] = Stability::left;
+            stability = Stability::left;
+        }
+        else if (states[pointi] != PathlineState::moving && stability == Stability::detached)
+        {
+            stability = Stability::untracked;
         }
     }
     surface.components =

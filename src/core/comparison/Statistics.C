@@ -166,7 +166,7 @@ void addInterface(
     }
 }
 
-// `areas`: what left is zero there on return.
+// `areas`: what left or is untracked is zero there on return.
 void addTimeSurface(
     Statistics& statistics, const ClassifiedSurface& surface, scalarField& areas,
     const Exchange& exchange
@@ -174,7 +174,7 @@ void addTimeSurface(
 {
     Sums sums;
     for (scalar* target :
-         {&statistics.timeSurfaceArea, &statistics.keptArea,
+         {&statistics.timeSurfaceArea, &statistics.keptArea, &statistics.untrackedArea,
           &statistics.detachedNearWall, &statistics.detachedElsewhere,
           &statistics.detachedThin, &statistics.detachedResolved})
     {
@@ -184,7 +184,13 @@ void addTimeSurface(
     {
         scalar& area = areas[pointi];
         const Stability stability = surface.stability[pointi];
-        area = stability == Stability::left ? 0 : area;
+        sums.add(
+            statistics.untrackedArea, stability == Stability::untracked ? area : 0
+        );
+        if (stability == Stability::left || stability == Stability::untracked)
+        {
+            area = 0;
+        }
         sums.add(statistics.timeSurfaceArea, area);
         sums.add(statistics.keptArea, stability == Stability::stable ? area : 0);
         if (stability != Stability::detached)

@@ -8,23 +8,68 @@
 namespace Foam::stability
 {
 
+namespace
+{
+
+// A point that may lie on a wall, moved a little towards one that does not.
+point offWalls(const point& x, const point& inside)
+{
+    return x + 0.01 * (inside - x);
+}
+
+// The mean of the centres of the triangles around each point.
+pointField middlesAround(const InterfaceMesh& mesh)
+{
+    pointField sums(mesh.points.size(), Zero);
+    labelList n(mesh.points.size(), 0);
+    forAll(mesh.triangles, trianglei)
+    {
+        for (const label pointi : mesh.triangles[trianglei])
+        {
+            sums[pointi] += mesh.centre(trianglei);
+            ++n[pointi];
+        }
+    }
+    forAll(sums, pointi)
+    {
+        sums[pointi] = n[pointi] > 0 ? sums[pointi] / n[pointi] : mesh.points[pointi];
+    }
+    return sums;
+}
+
+} // namespace
+
 // Boxes of about epsilon (paper 4.5); the locator sees to it that they are not
 // smaller than the triangles.
-MatchTarget::MatchTarget(const InterfaceMesh& mesh, const MatchingOptions& options)
-    : mesh_(mesh), options_(options), topology_(mesh.points.size(), mesh.triangles),
+MatchTarget::MatchTarget(
+    const InterfaceMesh& mesh, const MatchingOptions& options, const ThinWalls* walls
+)
+    : mesh_(mesh), walls_(walls), options_(options),
+      topology_(mesh.points.size(), mesh.triangles),
       locator_(mesh.points, mesh.triangles, options.epsilon.at(mesh.meanCellSize())),
       triangleNormals_(mesh.areaVectors())
 {
 }
 
-Match MatchTarget::nearest(const point& x, const vector& normal, scalar cellSize) const
+// A point on a wall belongs to the side on which its triangle lies.
+bool MatchTarget::isInSight(const Seeker& seeker, const SurfacePoint& found) const
 {
-    const scalar epsilon = options_.epsilon.at(cellSize);
-    const scalar radius = std::max(epsilon, options_.searchRadius * cellSize);
+    return !walls_
+           || !walls_->part(
+               seeker.seenFrom, offWalls(found.position, mesh_.centre(found.triangle))
+           );
+}
+
+Match MatchTarget::nearest(const Seeker& seeker) const
+{
+    const scalar epsilon = options_.epsilon.at(seeker.cellSize);
+    const scalar radius = std::max(epsilon, options_.searchRadius * seeker.cellSize);
 
     Match result;
     result.nearest = locator_.closest(
-        x, radius, [&](label trianglei) { return admits(trianglei, normal); }
+        seeker.x, radius,
+        [&](label trianglei) { return admits(trianglei, seeker.normal); },
+        [&](const SurfacePoint& found) { return isInSight(seeker, found); }
     );
     if (result.nearest.triangle < 0)
     {
@@ -37,30 +82,28 @@ Match MatchTarget::nearest(const point& x, const vector& normal, scalar cellSize
     return result;
 }
 
-Match MatchTarget::match(const point& x, const vector& normal, scalar cellSize) const
+Match MatchTarget::match(const Seeker& seeker) const
 {
-    Match result = nearest(x, normal, cellSize);
-    countPreimages(result, x, normal, cellSize);
+    Match result = nearest(seeker);
+    countPreimages(result, seeker);
     return result;
 }
 
-void MatchTarget::countPreimages(
-    Match& match, const point& x, const vector& normal, scalar cellSize
-) const
+void MatchTarget::countPreimages(Match& match, const Seeker& seeker) const
 {
     match.nPreimages =
-        match.stable ? countPatches(x, normal, options_.epsilon.at(cellSize)) : 0;
+        match.stable ? countPatches(seeker, options_.epsilon.at(seeker.cellSize)) : 0;
 }
 
 void MatchTarget::admittedWithin(
-    const point& x, const vector& normal, scalar radius, DynamicList<label>& result
+    const Seeker& seeker, scalar radius, DynamicList<label>& result
 ) const
 {
-    locator_.candidates(x, radius, result);
+    locator_.candidates(seeker.x, radius, result);
     label n = 0;
     for (const label trianglei : result)
     {
-        if (admits(trianglei, normal) && isWithin(trianglei, x, radius))
+        if (admits(trianglei, seeker.normal) && isWithin(trianglei, seeker, radius))
         {
             result[n++] = trianglei;
         }
@@ -68,8 +111,14 @@ void MatchTarget::admittedWithin(
     result.setSize(n);
 }
 
+bool MatchTarget::isWithin(label trianglei, const Seeker& seeker, scalar radius) const
+{
+    return isNearer(trianglei, seeker.x, radius)
+           && (!walls_ || isInSight(seeker, locator_.closestOn(trianglei, seeker.x)));
+}
+
 // As closestOn(...).distance < radius, mostly without it.
-bool MatchTarget::isWithin(label trianglei, const point& x, scalar radius) const
+bool MatchTarget::isNearer(label trianglei, const point& x, scalar radius) const
 {
     const triFace& t = mesh_.triangles[trianglei];
     const point &a = mesh_.points[t[0]], &b = mesh_.points[t[1]],
@@ -93,8 +142,7 @@ bool MatchTarget::isWithin(label trianglei, const point& x, scalar radius) const
     return locator_.closestOn(trianglei, x).distance < radius;
 }
 
-label MatchTarget::countPatches(const point& x, const vector& normal, scalar epsilon)
-    const
+label MatchTarget::countPatches(const Seeker& seeker, scalar epsilon) const
 {
     static thread_local std::vector<label> near, front;
     static thread_local std::vector<bool> waits; // per triangle: near, in no patch yet
@@ -102,10 +150,11 @@ label MatchTarget::countPatches(const point& x, const vector& normal, scalar eps
     waits.resize(std::max(waits.size(), std::size_t(mesh_.triangles.size())), false);
     const vector halfWidth(epsilon, epsilon, epsilon);
     locator_.visitWithin(
-        x - halfWidth, x + halfWidth,
+        seeker.x - halfWidth, seeker.x + halfWidth,
         [&](label trianglei)
         {
-            if (admits(trianglei, normal) && isWithin(trianglei, x, epsilon))
+            if (admits(trianglei, seeker.normal)
+                && isWithin(trianglei, seeker, epsilon))
             {
                 near.push_back(trianglei);
                 waits[trianglei] = true;
@@ -148,6 +197,7 @@ List<Match> matchPoints(
 )
 {
     const vectorField normals = mesh.pointNormals();
+    const pointField middles(target.hasWalls() ? middlesAround(mesh) : mesh.points);
     List<Match> matches(mesh.points.size());
 #pragma omp parallel for schedule(dynamic, 64) num_threads(options.nThreads)
     for (label pointi = 0; pointi < mesh.points.size(); ++pointi)
@@ -155,7 +205,8 @@ List<Match> matchPoints(
         if (wanted.empty() || wanted[pointi])
         {
             matches[pointi] = target.match(
-                mesh.points[pointi], normals[pointi], mesh.cellSizes[pointi]
+                {mesh.points[pointi], normals[pointi], mesh.cellSizes[pointi],
+                 offWalls(mesh.points[pointi], middles[pointi])}
             );
         }
     }

@@ -75,9 +75,10 @@ scalarField faceValues(const surfaceScalarField& field)
 } // namespace
 
 MeshSnapshots::MeshSnapshots(
-    const fvMesh& mesh, const RankMessages& messages, label nRings
+    const fvMesh& mesh, const RankMessages& messages, label nRings,
+    const wordHashSet& walls
 )
-    : messages_(messages), cells_(mesh, messages, nRings)
+    : messages_(messages), cells_(mesh, messages, nRings, walls)
 {
 }
 

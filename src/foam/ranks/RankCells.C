@@ -4,9 +4,11 @@
 
 #include "core/cells/HomeNumbers.H"
 #include "core/cells/RingFetch.H"
+#include "core/cells/ThinWallPoints.H"
+#include "core/cells/ThinWallSearch.H"
 #include "foam/errors/Failures.H"
+#include "foam/ranks/CoupledPoints.H"
 #include "emptyPolyPatch.H"
-#include "globalMeshData.H"
 #include "processorPolyPatch.H"
 #include "symmetryPlanePolyPatch.H"
 #include "symmetryPolyPatch.H"
@@ -62,7 +64,7 @@ bool interpolates(const polyPatch& patch)
     return constrains && !understood;
 }
 
-CellComplexInput complexInput(const fvMesh& mesh)
+CellComplexInput complexInput(const fvMesh& mesh, const wordHashSet& walls)
 {
     const label nBoundaryFaces = mesh.nFaces() - mesh.nInternalFaces();
     CellComplexInput input;
@@ -85,7 +87,8 @@ CellComplexInput complexInput(const fvMesh& mesh)
             continue; // without faces it does no harm, whatever its type
         }
         const label start = patch.start() - mesh.nInternalFaces();
-        const BoundaryKind kind = kindOf(patch);
+        const BoundaryKind kind =
+            walls.found(patch.name()) ? BoundaryKind::wall : kindOf(patch);
         for (label i = 0; i < patch.size(); ++i)
         {
             input.kinds[start + i] = kind;
@@ -124,15 +127,19 @@ labelList globalNumbers(const globalIndex& numbers)
 
 } // namespace
 
-RankCells::RankCells(const fvMesh& mesh, const RankMessages& messages, label nRings)
+RankCells::RankCells(
+    const fvMesh& mesh, const RankMessages& messages, label nRings,
+    const wordHashSet& walls
+)
     : messages_(messages), nOwn_(mesh.nCells()), cellNumbers_(mesh.nCells()),
       boundaryNumbers_(mesh.nFaces() - mesh.nInternalFaces())
 {
-    const CellComplexInput own(ownPiece(mesh));
+    const CellComplexInput own(ownPiece(mesh, walls));
     const bool alone = messages.nRanks() == 1 && !images_;
     const Rows cellFaces(facesOfCells(own));
     WholeMesh whole(wholeOf(own, messages));
     whole.images = images_;
+    whole.thinWalls = findThinWalls(own, images_.get(), messages);
     CellComplexInput all(assemble(
         fetchRings(own, images_.get(), messages, alone ? 0 : nRings), own.patchNames,
         whole
@@ -177,30 +184,30 @@ void RankCells::findOpenCoupled(const fvMesh& mesh)
     }
 }
 
-CellComplexInput RankCells::ownPiece(const fvMesh& mesh)
+CellComplexInput RankCells::ownPiece(const fvMesh& mesh, const wordHashSet& walls)
 {
     CellComplexInput own;
     // A patch may have faces on some ranks only.
-    messages_.throwIfAny<BadInput>(failureOf([&] { own = complexInput(mesh); }));
+    messages_.throwIfAny<BadInput>(failureOf([&] { own = complexInput(mesh, walls); }));
+    splitThinWallPoints(own);
     own.globalCells = globalNumbers(cellNumbers_);
     own.globalBoundaryFaces = globalNumbers(boundaryNumbers_);
     own.cellBehind.setSize(own.globalBoundaryFaces.size(), -1);
     const CyclicPatches cyclic(mesh, messages_);
     if (messages_.nRanks() == 1 && !cyclic.any())
     {
-        own.globalPoints = identity(mesh.nPoints());
+        own.globalPoints = identity(own.points.size());
         return own;
     }
-    labelList unique;
-    const label nPoints =
-        mesh.globalData().mergePoints(own.globalPoints, unique)->size();
+    const CoupledPoints points(mesh, own, messages_);
+    own.globalPoints = points.numbers();
     if (cyclic.any())
     {
         images_ = std::make_shared<const PeriodicImages>(
-            cyclic.motions(), mesh.bounds(), cellNumbers_.size(), nPoints
+            cyclic.motions(), mesh.bounds(), cellNumbers_.size(), points.total()
         );
-        const labelList home(homePoints(mesh, own.globalPoints));
-        const pointField homes(homesOf(mesh, own.globalPoints, home));
+        const labelList home(points.homePoints(own.globalPoints));
+        const pointField homes(points.homesOf(own.globalPoints, home));
         messages_.throwIfAny<BadInput>(
             failureOf([&] { numberFromHome(own, home, homes, *images_); })
         );

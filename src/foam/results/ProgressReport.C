@@ -159,7 +159,10 @@ void ProgressReport::showTroubles(const Classification& c, const word& timeName)
         Info << "interfaceStability: at time " << timeName << " s of the interface "
              << surface.nStuck << " points are stuck, " << surface.nLost
              << " lost; of the particles " << particles.nStuck << " stuck, "
-             << particles.nLost << " lost" << endl;
+             << particles.nLost << " lost. " << c.statistics.untrackedArea
+             << " m2 around such points of the interface have no match: untracked, "
+                "not detached"
+             << endl;
     }
 }
 

@@ -3,6 +3,7 @@
 #include "core/StabilityTracker.H"
 #include "core/base/Errors.H"
 #include "shapes/BoxMesh.H"
+#include "shapes/CutOut.H"
 #include "shapes/ExactAlpha.H"
 
 #include <gtest/gtest.h>
@@ -516,6 +517,70 @@ TEST(StabilityTracker, whatLeavesAddsUpToAllOfIt)
     }
     EXPECT_NEAR(left, area, 0.02 * area);
     EXPECT_EQ(tracker.particles().here().size(), 0);
+}
+
+// A pathline of one step gets stuck a quarter of the way: no interface tore off there.
+TEST(StabilityTracker, whatGetsStuckIsNotDetached)
+{
+    const auto complex = openCube(20);
+    const vector U(0.25, 0, 0);
+    TrackerOptions oneStep(options());
+    oneStep.integration.maxSteps = 1;
+    const SerialExchange exchange;
+    StabilityTracker tracker(oneStep, exchange);
+    tracker.start(snapshot(complex, shapes::sphere(centre, radius), U, 0));
+    tracker.classify();
+    tracker.advance(snapshot(complex, shapes::sphere(centre + U, radius), U, 1));
+    const Classification& result = tracker.classify();
+    EXPECT_EQ(result.timeSurfaceCounts.nStuck, result.timeSurface.mesh.points.size());
+    const Statistics& statistics = result.statistics;
+    // Some of it lies within epsilon of the sphere by chance.
+    EXPECT_GT(statistics.untrackedArea, 0.5 * result.timeSurface.mesh.area());
+    EXPECT_NEAR(
+        statistics.untrackedArea + statistics.timeSurfaceArea,
+        result.timeSurface.mesh.area(), 1e-9
+    );
+    EXPECT_EQ(statistics.detachedElsewhere + statistics.detachedNearWall, 0);
+    EXPECT_EQ(tracker.particles().nSeeded(), 0);
+}
+
+// Two levels that change places: near the wall each lies where the other was.
+TEST(StabilityTracker, noMatchPassesThroughAThinWall)
+{
+    const auto complex = shapes::withThinWalls(shapes::cutOut(
+        shapes::boxInput(shapes::BoxOptions()), [](const point&) { return false; },
+        [](const point& x) { return mag(x.x() - 0.5) < 0.05; }
+    ));
+    const auto at = [&](scalar left, scalar right, scalar time)
+    {
+        const shapes::Shape water = [=](const point& x)
+        { return x.z() - (x.x() < 0.5 ? left : right); };
+        return snapshot(complex, water, Zero, time);
+    };
+    const SerialExchange exchange;
+    StabilityTracker tracker(options(), exchange);
+    tracker.start(at(0.55, 0.67, 0));
+    const Classification& start = tracker.classify();
+    EXPECT_EQ(max(start.interface.components), 1);
+    EXPECT_EQ(start.statistics.stableFraction(), 1);
+
+    tracker.advance(at(0.67, 0.55, 1));
+    const Statistics& swapped = tracker.classify().statistics;
+    EXPECT_EQ(swapped.stableArea, 0);
+    EXPECT_NEAR(
+        swapped.detachedNearWall + swapped.detachedElsewhere, swapped.timeSurfaceArea,
+        1e-12
+    );
+
+    // At one level both sides are there, but nothing merges.
+    StabilityTracker level(options(), exchange);
+    level.start(at(0.55, 0.55, 0));
+    level.classify();
+    level.advance(at(0.55, 0.55, 1));
+    const Classification& same = level.classify();
+    EXPECT_EQ(same.statistics.nMerged, 0);
+    EXPECT_EQ(same.statistics.stableFraction(), 1);
+    EXPECT_EQ(max(same.interface.components), 1);
 }
 
 TEST(StabilityTracker, refusesTimeThatGoesBackAndUnknownMethods)

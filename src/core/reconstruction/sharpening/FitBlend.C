@@ -2,6 +2,8 @@
 
 #include "core/reconstruction/sharpening/FitBlend.H"
 
+#include "core/cells/ThinWalls.H"
+
 #include <algorithm>
 #include <cmath>
 
@@ -27,7 +29,8 @@ std::uint64_t keyOf(std::int64_t i, std::int64_t j, std::int64_t k)
 
 } // namespace
 
-FitBlend::FitBlend(const UList<InterfaceFit>& fits) : fits_(fits)
+FitBlend::FitBlend(const CellComplex& complex, const UList<InterfaceFit>& fits)
+    : complex_(complex), fits_(fits)
 {
     scalar smallest = GREAT;
     for (const InterfaceFit& fit : fits)
@@ -101,7 +104,15 @@ void FitBlend::near(const point& x, std::vector<label>& found) const
     std::sort(found.begin(), found.end());
 }
 
-BlendedDistance FitBlend::at(const point& x, const vector& normal) const
+// Behind a thin wall, seen from the centre of the other cell.
+bool FitBlend::hidden(label from, label celli) const
+{
+    const ThinWalls* walls = complex_.whole().thinWalls.get();
+    const pointField& centres = complex_.cellCentres();
+    return walls && walls->part(centres[from], centres[celli]);
+}
+
+BlendedDistance FitBlend::at(const point& x, const vector& normal, label celli) const
 {
     BlendedDistance result;
     scalar sum = 0, squares = 0, weights = 0;
@@ -109,7 +120,8 @@ BlendedDistance FitBlend::at(const point& x, const vector& normal) const
     const auto blend = [&](const InterfaceFit& fit)
     {
         const scalar q = mag(x - fit.centre) / fit.reach;
-        if (q >= 1 || (fit.normal & normal) < smallestAlignment)
+        if (q >= 1 || (fit.normal & normal) < smallestAlignment
+            || hidden(celli, fit.cell))
         {
             return;
         }

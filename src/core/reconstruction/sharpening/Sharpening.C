@@ -67,7 +67,8 @@ private:
         {
             starts_[pointi] = {
                 mesh_.points[pointi], -normals[pointi],
-                spanOf(complex_, mesh_.cells[pointi]), wallsAt(pointi)};
+                spanOf(complex_, mesh_.cells[pointi]), mesh_.cells[pointi],
+                wallsAt(pointi)};
             moves_[pointi].direction = -normals[pointi];
         }
     }
@@ -110,7 +111,7 @@ private:
         if (kind_ != Sharpening::profile)
         {
             plic_ = fitPlic(complex_, fractions_, nThreads_);
-            plicBlend_.emplace(plic_.fits);
+            plicBlend_.emplace(complex_, plic_.fits);
         }
         const PointSharpener plicAlone(plicBlend_ ? &*plicBlend_ : nullptr, nullptr);
         const label n = starts_.size();
@@ -126,7 +127,7 @@ private:
         if (kind_ != Sharpening::plic && nDoubtful > 0)
         {
             profile_ = fitProfiles(complex_, fractions_, nThreads_, ringsOfFits());
-            profileBlend_.emplace(profile_.fits);
+            profileBlend_.emplace(complex_, profile_.fits);
         }
         result_.nFits = plic_.fits.size() + profile_.fits.size();
         result_.nFailed = plic_.nFailed + profile_.nFailed;

@@ -50,7 +50,7 @@ Match matchAt(
     scalar cellSize, const vector& normal = vector(0, 0, 1)
 )
 {
-    return MatchTarget(mesh, options).match(x, normal, cellSize);
+    return MatchTarget(mesh, options).match({x, normal, cellSize});
 }
 
 } // namespace
