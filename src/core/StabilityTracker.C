@@ -194,7 +194,7 @@ void StabilityTracker::startSurface(const SurfacePiece& interface)
         const List<bool> all(interface.mesh.triangles.size(), true);
         result_.parametrization = parametrize(
             wholeComponents(interface, components, all, exchange_).piece,
-            options_.parametrization, exchange_
+            options_.parametrization, exchange_, complex().whole().section
         );
     }
     SurfacePiece& surface = result_.parametrization->surface;

@@ -30,6 +30,11 @@ scalar tetQuality(const point& apex, const point& a, const point& b, const point
     return ((da ^ db) & dc) / max(pow3(longest), VSMALL);
 }
 
+const PlaneSection* sectionOf(const CellComplexInput& mesh)
+{
+    return mesh.whole && mesh.whole->section ? &*mesh.whole->section : nullptr;
+}
+
 scalar shareOfTetrahedra(const Rows& cellFaces)
 {
     label n = 0;
@@ -194,6 +199,20 @@ void CellComplex::computeAddressing()
     addressBoundary();
 }
 
+bool CellComplex::isEnd(label facei) const
+{
+    const PlaneSection* section = sectionOf(input_);
+    if (!section || facei < nInternalFaces())
+    {
+        return false;
+    }
+    const face& f = faces()[facei];
+    const auto isLow = [&](label pointi) { return section->isLow(points()[pointi]); };
+    return std::all_of(
+        f.begin(), f.end(), [&](label pointi) { return isLow(pointi) == isLow(f[0]); }
+    );
+}
+
 void CellComplex::addressBoundary()
 {
     nearWall_.setSize(nCells(), false);
@@ -204,7 +223,8 @@ void CellComplex::addressBoundary()
         {
             for (label facei = nInternalFaces(); facei < nFaces(); ++facei)
             {
-                if (kinds()[facei - nInternalFaces()] != BoundaryKind::coupledUnknown)
+                if (kinds()[facei - nInternalFaces()] != BoundaryKind::coupledUnknown
+                    && !isEnd(facei))
                 {
                     for (const label pointi : faces()[facei])
                     {
@@ -237,9 +257,14 @@ void CellComplex::computeFaces()
 {
     faceCentres_.setSize(nFaces());
     faceAreas_.setSize(nFaces());
+    const PlaneSection* section = sectionOf(input_);
     for (label facei = 0; facei < nFaces(); ++facei)
     {
         faceGeometry(faces()[facei], points(), faceCentres_[facei], faceAreas_[facei]);
+        if (section && !isEnd(facei))
+        {
+            faceCentres_[facei] = section->inMiddle(faceCentres_[facei]);
+        }
     }
 }
 
@@ -247,6 +272,7 @@ void CellComplex::computeCells()
 {
     cellVolumes_.setSize(nCells());
     cellSizes_.setSize(nCells());
+    const PlaneSection* section = sectionOf(input_);
     for (label celli = 0; celli < nCells(); ++celli)
     {
         const auto& cellFaces = cellFaces_[celli];
@@ -284,8 +310,13 @@ void CellComplex::computeCells()
             );
         }
         cellVolumes_[celli] = volume;
-        cellSizes_[celli] = std::cbrt(volume);
+        cellSizes_[celli] =
+            section ? std::sqrt(volume / section->thickness) : std::cbrt(volume);
         cellCentres_[celli] = estimate + moment / volume;
+        if (section)
+        {
+            cellCentres_[celli] = section->inMiddle(cellCentres_[celli]);
+        }
     }
 }
 

@@ -59,6 +59,7 @@ bool touchesBoundary(const CellComplex& complex, label celli)
 
 scalar spanOf(const CellComplex& complex, label celli)
 {
+    const WholeMesh& whole = complex.whole();
     scalar farthest = 0;
     for (const label facei : complex.cellFaces()[celli])
     {
@@ -66,11 +67,13 @@ scalar spanOf(const CellComplex& complex, label celli)
         {
             farthest = std::max(
                 farthest,
-                magSqr(complex.points()[pointi] - complex.cellCentres()[celli])
+                magSqr(whole.inPlane(
+                    complex.points()[pointi] - complex.cellCentres()[celli]
+                ))
             );
         }
     }
-    return 2 * std::sqrt(farthest / 3);
+    return 2 * std::sqrt(farthest / (whole.section ? 2 : 3));
 }
 
 vector gradientOver(

@@ -19,6 +19,20 @@ bool inside(const Vertex& v)
     return VolumeFractions::inside(v.value);
 }
 
+// The vertex that is alone on its side; -1 where all three are on one side.
+label loneOf(const FixedList<Vertex, 3>& triangle)
+{
+    for (label k = 0; k < 3; ++k)
+    {
+        const bool side = inside(triangle[k]);
+        if (inside(triangle[(k + 1) % 3]) != side && inside(triangle[(k + 2) % 3]) != side)
+        {
+            return k;
+        }
+    }
+    return -1;
+}
+
 // The vertices opposite to vertex i, right-handed around the direction away from it.
 constexpr label opposite[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 
@@ -106,14 +120,46 @@ label MarchingTets::cutEdge(
     {
         return found.val();
     }
-    const label pointi = points_.size();
     const point x = in.position + cutShare(in, out) * (out.position - in.position);
+    const label celli = holdingCell(complex_, cells, x);
+    const std::optional<PlaneSection>& section = complex_.whole().section;
+    const label pointi = addPoint(key, section ? section->inLow(x) : x, celli);
+    if (section)
+    {
+        addPoint(key, section->inHigh(x), celli);
+    }
     cuts_.insert(key, pointi);
+    return pointi;
+}
+
+label MarchingTets::addPoint(const edge& key, const point& x, label celli)
+{
     keys_.append(key);
     points_.append(x);
-    cells_.append(holdingCell(complex_, cells, x));
+    cells_.append(celli);
     boundaryFaces_.append(-1);
-    return pointi;
+    return points_.size() - 1;
+}
+
+void MarchingTets::cutTriangle(const FixedList<Vertex, 3>& triangle, const UList<label>& cells)
+{
+    lowestCell_ = min(cells);
+    const label lone = loneOf(triangle);
+    if (lone < 0)
+    {
+        return;
+    }
+    const Vertex& tip = triangle[lone];
+    label ends[2]; // in the lower plane
+    for (label k = 0; k < 2; ++k)
+    {
+        const Vertex& other = triangle[(lone + 1 + k) % 3];
+        const bool isInside = inside(tip);
+        ends[isInside ? k : 1 - k] = isInside ? cutEdge(tip, other, cells)
+                                              : cutEdge(other, tip, cells);
+    }
+    addTriangle(ends[0], ends[1], ends[1] + 1);
+    addTriangle(ends[0], ends[1] + 1, ends[0] + 1);
 }
 
 void MarchingTets::addTriangle(label a, label b, label c)
@@ -153,31 +199,22 @@ bool MarchingTets::splitsAtFirst(const FixedList<label, 4>& q) const
 void MarchingTets::close(const FixedList<Vertex, 3>& triangle, label facei)
 {
     const label boundaryFacei = facei - complex_.nInternalFaces();
-    label nIn = 0;
-    for (const Vertex& v : triangle)
+    const label lone = loneOf(triangle);
+    scalar share = inside(triangle[0]) ? 1 : 0;
+    if (lone >= 0)
     {
-        nIn += inside(v);
-    }
-    scalar share = nIn == 3 ? 1 : 0;
-    if (nIn == 1 || nIn == 2)
-    {
-        label lone = 0;
-        while (inside(triangle[lone]) != (nIn == 1))
-        {
-            ++lone;
-        }
+        const Vertex& corner = triangle[lone];
         share = 1; // of the area, at the lone corner
         for (label k = 1; k < 3; ++k)
         {
-            const Vertex& corner = triangle[lone];
             const Vertex& other = triangle[(lone + k) % 3];
-            const Vertex& in = nIn == 1 ? corner : other;
-            const Vertex& out = nIn == 1 ? other : corner;
+            const Vertex& in = inside(corner) ? corner : other;
+            const Vertex& out = inside(corner) ? other : corner;
             const scalar t = cutShare(in, out);
-            share *= nIn == 1 ? t : 1 - t;
+            share *= inside(corner) ? t : 1 - t;
             markBoundary(in, out, boundaryFacei);
         }
-        share = nIn == 1 ? share : 1 - share;
+        share = inside(corner) ? share : 1 - share;
     }
     if (!complex_.own(complex_.owner()[facei]))
     {
@@ -186,6 +223,24 @@ void MarchingTets::close(const FixedList<Vertex, 3>& triangle, label facei)
     const point& a = triangle[0].position;
     const vector area = 0.5 * ((triangle[1].position - a) ^ (triangle[2].position - a));
     boundaryFlux_ += share * ((a - complex_.whole().bounds.centre()) & area);
+}
+
+void MarchingTets::closePart(const FixedList<Vertex, 2>& part, label facei)
+{
+    const bool same = inside(part[0]) == inside(part[1]);
+    scalar share = inside(part[0]) ? 1 : 0;
+    if (!same)
+    {
+        const Vertex& in = part[inside(part[0]) ? 0 : 1];
+        const Vertex& out = part[inside(part[0]) ? 1 : 0];
+        share = cutShare(in, out);
+        markBoundary(in, out, facei - complex_.nInternalFaces());
+    }
+    if (complex_.own(complex_.owner()[facei]))
+    {
+        const vector arm = part[0].position - complex_.whole().bounds.centre();
+        boundaryFlux_ += 0.5 * share * (arm & complex_.faceAreas()[facei]);
+    }
 }
 
 void MarchingTets::closeWhole(label facei)
@@ -205,14 +260,20 @@ void MarchingTets::markBoundary(
     const auto found = cuts_.cfind(edge(min(in.id, out.id), max(in.id, out.id)));
     if (found.found())
     {
-        label& facei = boundaryFaces_[found.val()];
-        facei = facei < 0 ? boundaryFacei : min(facei, boundaryFacei);
+        const label nSides = complex_.whole().section ? 2 : 1;
+        for (label side = 0; side < nSides; ++side)
+        {
+            label& facei = boundaryFaces_[found.val() + side];
+            facei = facei < 0 ? boundaryFacei : min(facei, boundaryFacei);
+        }
     }
 }
 
 scalar MarchingTets::volume() const
 {
-    const point origin = complex_.whole().bounds.centre();
+    // The planes of a section have no flux from a point between them.
+    const WholeMesh& whole = complex_.whole();
+    const point origin = whole.inMiddle(whole.bounds.centre());
     scalar flux = boundaryFlux_;
     forAll(triangles_, trianglei)
     {
@@ -226,7 +287,7 @@ scalar MarchingTets::volume() const
         const vector c = points_[t[2]] - origin;
         flux += 0.5 * (a & (b ^ c));
     }
-    return flux / 3;
+    return flux / (whole.section ? 2 : 3);
 }
 
 InterfaceMesh MarchingTets::takeMesh()

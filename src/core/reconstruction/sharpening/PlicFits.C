@@ -69,6 +69,7 @@ private:
                 InterfaceFit fit;
                 fit.cell = celli;
                 fit.size = spanOf(complex_, celli);
+                fit.across = complex_.whole().across();
                 const vector g =
                     gradientOver(complex_, stencil.rings(celli, 1), alpha_, fit.size);
                 constexpr scalar roundOff = 1e-9; // of a gradient that is none
@@ -102,13 +103,33 @@ private:
             plane.centre = complex_.faceCentres()[facei];
             plane.secondMoment = momentOf(facei, plane);
             plane.converged = true;
+            dropAcross(plane);
             InterfaceFit fit;
             fit.cell = owner;
             fit.size = spanOf(complex_, owner);
+            fit.across = complex_.whole().across();
             fit.setPlane(plane.centre, plane.normal);
-            fit.weight = plane.area / sqr(fit.size);
+            fit.weight = extentOf(plane, fit.size);
             result_.fits.append(fit);
             result_.planes.append(plane);
+        }
+    }
+
+    // The polygon's area in units of the size; in two dimensions its length.
+    scalar extentOf(const PlicPlane& plane, scalar size) const
+    {
+        const std::optional<PlaneSection>& section = complex_.whole().section;
+        return plane.area / (size * (section ? section->thickness : size));
+    }
+
+    // In two dimensions the polygon is a segment within the section.
+    void dropAcross(PlicPlane& plane) const
+    {
+        if (complex_.whole().section)
+        {
+            const symmTensor within = symmTensor(I) - sqr(complex_.whole().across());
+            plane.centre = complex_.whole().inMiddle(plane.centre);
+            plane.secondMoment = symm(within & plane.secondMoment & within);
         }
     }
 
@@ -163,11 +184,12 @@ private:
             return;
         }
         plane = CellShape(complex_, fit.cell).planeOf(normal / mag(normal), alpha);
+        dropAcross(plane);
         const point centre =
             plane.converged ? plane.centre : complex_.cellCentres()[fit.cell];
         fit.setPlane(centre, plane.normal);
         fit.weight = plane.converged
-                         ? sqr(4 * alpha * (1 - alpha)) * plane.area / sqr(fit.size)
+                         ? sqr(4 * alpha * (1 - alpha)) * extentOf(plane, fit.size)
                          : 0;
     }
 
@@ -224,9 +246,9 @@ private:
     }
 
     // The plane stays if neighbours do not tell.
-    static void take(const NormalEquations<6>& equations, InterfaceFit& own)
+    void take(const NormalEquations<6>& equations, InterfaceFit& own) const
     {
-        constexpr int fewest = 5;
+        const int fewest = complex_.whole().section ? 3 : 5;
         constexpr scalar linear = 1e-5, quadratic = 1e-4;
         constexpr scalar farthest = 0.3, steepest = 1;
         NormalEquations<6>::Vector x;
