@@ -32,22 +32,25 @@ public:
         section.normal[options_.normal] = 1;
         section.middle = options_.middle;
         section.meshThickness = options_.meshThickness;
+        section.wedge = options_.wedge;
+        section.axisPoint = placed(options_, options_.min);
+        section.axis[(options_.normal + 1) % 3] = 1;
         const vector span = options_.max - options_.min;
         section.thickness = std::sqrt(span.x() * span.y() / cells_.size());
 
         BoxOptions box;
         const scalar half = 0.5 * section.thickness;
-        box.min = placed(options_, options_.min - vector(0, 0, options_.min.z() + half));
-        box.max = placed(options_, options_.max + vector(0, 0, half - options_.max.z()));
+        box.min =
+            placed(options_, options_.min - vector(0, 0, options_.min.z() + half));
+        box.max =
+            placed(options_, options_.max + vector(0, 0, half - options_.max.z()));
         box.kinds = BoundaryKind::symmetry;
         for (label side = 0; side < 4; ++side)
         {
             const direction d = (options_.normal + 1 + side / 2) % 3;
             box.kinds[2 * d + side % 2] = options_.kinds[side];
         }
-        CellComplexInput input(
-            assemble(box, extrudedPoints(half), extrudedCells())
-        );
+        CellComplexInput input(assemble(box, extrudedPoints(half), extrudedCells()));
         input.whole.emplace();
         input.whole->bounds = boundBox(input.points, false);
         input.whole->section = section;
@@ -172,6 +175,76 @@ point placed(const SectionOptions& options, const point& x)
     result[(options.normal + 2) % 3] = x.y();
     result[options.normal] = options.middle + x.z();
     return result;
+}
+
+namespace
+{
+
+// [m3] of the mesh per thickness, of the part of a triangle that is inside.
+scalar insideOf(
+    const PlaneSection& section, const std::function<scalar(const point&)>& shape,
+    const point& a, const point& b, const point& c, label depth
+)
+{
+    const scalar area = 0.5 * mag((b - a) ^ (c - a));
+    const point middle = (a + b + c) / 3;
+    const scalar reach =
+        std::max(mag(a - middle), std::max(mag(b - middle), mag(c - middle)));
+    const scalar distance = shape(middle);
+    if (mag(distance) > 1.5 * reach)
+    {
+        return distance < 0 ? area * section.radius(middle) : 0;
+    }
+    if (depth > 0)
+    {
+        const point ab = 0.5 * (a + b), bc = 0.5 * (b + c), ca = 0.5 * (c + a);
+        return insideOf(section, shape, a, ab, ca, depth - 1)
+               + insideOf(section, shape, ab, b, bc, depth - 1)
+               + insideOf(section, shape, ca, bc, c, depth - 1)
+               + insideOf(section, shape, ab, bc, ca, depth - 1);
+    }
+    const scalar d[3] = {shape(a), shape(b), shape(c)};
+    for (label k = 0; k < 3; ++k)
+    {
+        const label i = (k + 1) % 3, j = (k + 2) % 3;
+        if ((d[k] < 0) != (d[i] < 0) && (d[k] < 0) != (d[j] < 0))
+        {
+            const scalar tip = area * d[k] / (d[k] - d[i]) * d[k] / (d[k] - d[j]);
+            return (d[k] < 0 ? tip : area - tip) * section.radius(middle);
+        }
+    }
+    return d[0] < 0 ? area * section.radius(middle) : 0;
+}
+
+} // namespace
+
+scalarField sectionAlpha(
+    const CellComplex& complex, const std::function<scalar(const point&)>& shape
+)
+{
+    constexpr label depth = 8;
+    const PlaneSection& section = *complex.whole().section;
+    scalarField alpha(complex.nCells());
+    forAll(alpha, celli)
+    {
+        scalar inside = 0, whole = 0;
+        for (const label facei : complex.cellFaces()[celli])
+        {
+            if (!complex.isEnd(facei))
+            {
+                const labelPair ends(
+                    section.edgeOf(complex.faces()[facei], complex.points())
+                );
+                const point a = section.inMiddle(complex.points()[ends.first()]);
+                const point b = section.inMiddle(complex.points()[ends.second()]);
+                const point& c = complex.cellCentres()[celli];
+                inside += insideOf(section, shape, a, b, c, depth);
+                whole += 0.5 * mag((a - c) ^ (b - c)) * section.radius((a + b + c) / 3);
+            }
+        }
+        alpha[celli] = std::min(inside / whole, scalar(1));
+    }
+    return alpha;
 }
 
 CellComplexInput sectionInput(const SectionOptions& options)

@@ -140,7 +140,8 @@ void TimeSurface::collectPoints(const CellComplex& complex, const Exchange& exch
         {
             const point& old = piece_.mesh.points[arrival.id];
             piece_.mesh.points[arrival.id] =
-                section ? section->inPlane(arrival.x) + (old & section->normal) * section->normal
+                section ? section->inPlane(arrival.x)
+                              + (old & section->normal) * section->normal
                         : arrival.x;
             left_[arrival.id] = arrival.left;
             if (arrival.cell >= 0)

@@ -30,11 +30,6 @@ scalar tetQuality(const point& apex, const point& a, const point& b, const point
     return ((da ^ db) & dc) / max(pow3(longest), VSMALL);
 }
 
-const PlaneSection* sectionOf(const CellComplexInput& mesh)
-{
-    return mesh.whole && mesh.whole->section ? &*mesh.whole->section : nullptr;
-}
-
 scalar shareOfTetrahedra(const Rows& cellFaces)
 {
     label n = 0;
@@ -81,21 +76,25 @@ CellComplex::CellComplex(CellComplexInput input) : input_(std::move(input))
     {
         throw BadInput("The mesh has no cells: nothing can be analysed on it.");
     }
+    bounds_ = boundBox(points(), false);
+    const bool isWhole = !input_.whole;
+    if (isWhole)
+    {
+        input_.whole.emplace();
+        input_.whole->bounds = bounds_;
+    }
     computeAddressing();
     computeFaces();
     computeCells();
     chooseTetBases();
-    bounds_ = boundBox(points(), false);
     bins_ = CellBins(*this);
     countRings();
     forAll(input_.globalCells, celli)
     {
         localCells_.insert(input_.globalCells[celli], celli);
     }
-    if (!input_.whole)
+    if (isWhole)
     {
-        input_.whole.emplace();
-        input_.whole->bounds = bounds_;
         input_.whole->tetrahedra = shareOfTetrahedra(cellFaces_);
     }
 }
@@ -199,20 +198,6 @@ void CellComplex::computeAddressing()
     addressBoundary();
 }
 
-bool CellComplex::isEnd(label facei) const
-{
-    const PlaneSection* section = sectionOf(input_);
-    if (!section || facei < nInternalFaces())
-    {
-        return false;
-    }
-    const face& f = faces()[facei];
-    const auto isLow = [&](label pointi) { return section->isLow(points()[pointi]); };
-    return std::all_of(
-        f.begin(), f.end(), [&](label pointi) { return isLow(pointi) == isLow(f[0]); }
-    );
-}
-
 void CellComplex::addressBoundary()
 {
     nearWall_.setSize(nCells(), false);
@@ -257,14 +242,11 @@ void CellComplex::computeFaces()
 {
     faceCentres_.setSize(nFaces());
     faceAreas_.setSize(nFaces());
-    const PlaneSection* section = sectionOf(input_);
     for (label facei = 0; facei < nFaces(); ++facei)
     {
         faceGeometry(faces()[facei], points(), faceCentres_[facei], faceAreas_[facei]);
-        if (section && !isEnd(facei))
-        {
-            faceCentres_[facei] = section->inMiddle(faceCentres_[facei]);
-        }
+        faceCentres_[facei] =
+            isEnd(facei) ? faceCentres_[facei] : whole().inMiddle(faceCentres_[facei]);
     }
 }
 
@@ -272,7 +254,7 @@ void CellComplex::computeCells()
 {
     cellVolumes_.setSize(nCells());
     cellSizes_.setSize(nCells());
-    const PlaneSection* section = sectionOf(input_);
+    const std::optional<PlaneSection>& section = whole().section;
     for (label celli = 0; celli < nCells(); ++celli)
     {
         const auto& cellFaces = cellFaces_[celli];
@@ -312,11 +294,7 @@ void CellComplex::computeCells()
         cellVolumes_[celli] = volume;
         cellSizes_[celli] =
             section ? std::sqrt(volume / section->thickness) : std::cbrt(volume);
-        cellCentres_[celli] = estimate + moment / volume;
-        if (section)
-        {
-            cellCentres_[celli] = section->inMiddle(cellCentres_[celli]);
-        }
+        cellCentres_[celli] = whole().inMiddle(estimate + moment / volume);
     }
 }
 

@@ -22,7 +22,8 @@ scalar transgression(const CellComplex& complex, label celli, const point& x)
         const scalar area = mag(S);
         if (area > 0)
         {
-            const vector arm = complex.whole().inMiddle(x) - complex.faceCentres()[facei];
+            const vector arm =
+                complex.whole().inMiddle(x) - complex.faceCentres()[facei];
             largest = max(largest, outwards * (arm & S) / area);
         }
     }

@@ -66,10 +66,9 @@ scalar spanOf(const CellComplex& complex, label celli)
         for (const label pointi : complex.faces()[facei])
         {
             farthest = std::max(
-                farthest,
-                magSqr(whole.inPlane(
-                    complex.points()[pointi] - complex.cellCentres()[celli]
-                ))
+                farthest, magSqr(whole.inPlane(
+                              complex.points()[pointi] - complex.cellCentres()[celli]
+                          ))
             );
         }
     }

@@ -254,8 +254,7 @@ scalar packPieces(
     Packet packet;
     runOnAllRanks(
         exchange,
-        [&]
-        {
+        [&] {
             packet.put(
                 exchange.isMaster() ? placeAll(boxes, section, places) : vector2D(0, 0)
             );
@@ -295,11 +294,11 @@ ParametrizationResult parametrize(
             forAll(patches, i)
             {
                 Piece& piece = pieces[i];
-                piece = section ? unrolled(patches[i], *section)
-                                : flattened(
-                                    interface.mesh, patches[i], *method,
-                                    options.edgeLength
-                                );
+                piece = section
+                            ? unrolled(patches[i], *section)
+                            : flattened(
+                                interface.mesh, patches[i], *method, options.edgeLength
+                            );
                 result.nCharts += !piece.chart.parameters.empty();
                 result.nFallbacks += piece.chart.fallback;
                 result.nKept += piece.copy.kept;

@@ -117,7 +117,8 @@ Chart ribbonChart(const PlainSurface& ribbon, const PlaneSection& section)
     scalar length = 0;
     forAll(order, i)
     {
-        length += i > 0 ? mag(ribbon.points[order[i]] - ribbon.points[order[i - 1]]) : 0;
+        length +=
+            i > 0 ? mag(ribbon.points[order[i]] - ribbon.points[order[i - 1]]) : 0;
         add(order[i], length);
     }
     chart.corners.setSize(ribbon.triangles.size());
@@ -145,8 +146,8 @@ Chart ribbonChart(const PlainSurface& ribbon, const PlaneSection& section)
 namespace
 {
 
-// Fills rows from left to right, the longest charts first, each in the first row that has
-// room. Returns the number of rows; `rows` and `starts` are one per chart.
+// Fills rows from left to right, the longest charts first, each in the first row that
+// has room. Returns the number of rows; `rows` and `starts` are one per chart.
 label fillRows(
     const UList<scalar>& lengths, const labelList& order, scalar scale, scalar gutter,
     labelList& rows, scalarField& starts
@@ -203,8 +204,7 @@ RowPacking packRows(const UList<scalar>& lengths, scalar gutter)
     for (label i = 0; i < n; ++i)
     {
         packing.corners[i] = vector2D(
-            starts[i],
-            BlackSwatch::size + gutter + rows[i] * (packing.height + gutter)
+            starts[i], BlackSwatch::size + gutter + rows[i] * (packing.height + gutter)
         );
     }
     return packing;

@@ -25,7 +25,8 @@ label loneOf(const FixedList<Vertex, 3>& triangle)
     for (label k = 0; k < 3; ++k)
     {
         const bool side = inside(triangle[k]);
-        if (inside(triangle[(k + 1) % 3]) != side && inside(triangle[(k + 2) % 3]) != side)
+        if (inside(triangle[(k + 1) % 3]) != side
+            && inside(triangle[(k + 2) % 3]) != side)
         {
             return k;
         }
@@ -141,7 +142,9 @@ label MarchingTets::addPoint(const edge& key, const point& x, label celli)
     return points_.size() - 1;
 }
 
-void MarchingTets::cutTriangle(const FixedList<Vertex, 3>& triangle, const UList<label>& cells)
+void MarchingTets::cutTriangle(
+    const FixedList<Vertex, 3>& triangle, const UList<label>& cells
+)
 {
     lowestCell_ = min(cells);
     const label lone = loneOf(triangle);
@@ -155,8 +158,8 @@ void MarchingTets::cutTriangle(const FixedList<Vertex, 3>& triangle, const UList
     {
         const Vertex& other = triangle[(lone + 1 + k) % 3];
         const bool isInside = inside(tip);
-        ends[isInside ? k : 1 - k] = isInside ? cutEdge(tip, other, cells)
-                                              : cutEdge(other, tip, cells);
+        ends[isInside ? k : 1 - k] =
+            isInside ? cutEdge(tip, other, cells) : cutEdge(other, tip, cells);
     }
     addTriangle(ends[0], ends[1], ends[1] + 1);
     addTriangle(ends[0], ends[1] + 1, ends[0] + 1);
@@ -238,8 +241,17 @@ void MarchingTets::closePart(const FixedList<Vertex, 2>& part, label facei)
     }
     if (complex_.own(complex_.owner()[facei]))
     {
-        const vector arm = part[0].position - complex_.whole().bounds.centre();
-        boundaryFlux_ += 0.5 * share * (arm & complex_.faceAreas()[facei]);
+        const point& inEnd = part[inside(part[0]) ? 0 : 1].position;
+        const point& outEnd = part[inside(part[0]) ? 1 : 0].position;
+        const point middle = inEnd + 0.5 * share * (outEnd - inEnd);
+        boundaryFlux_ += 3
+                         * complex_.whole()
+                               .section
+                               ->coneTo(
+                                   middle, 0.5 * share * complex_.faceAreas()[facei],
+                                   complex_.whole().bounds.centre()
+                               )
+                               .volume;
     }
 }
 
@@ -271,9 +283,8 @@ void MarchingTets::markBoundary(
 
 scalar MarchingTets::volume() const
 {
-    // The planes of a section have no flux from a point between them.
-    const WholeMesh& whole = complex_.whole();
-    const point origin = whole.inMiddle(whole.bounds.centre());
+    const std::optional<PlaneSection>& section = complex_.whole().section;
+    const point origin = complex_.whole().bounds.centre();
     scalar flux = boundaryFlux_;
     forAll(triangles_, trianglei)
     {
@@ -285,9 +296,15 @@ scalar MarchingTets::volume() const
         const vector a = points_[t[0]] - origin;
         const vector b = points_[t[1]] - origin;
         const vector c = points_[t[2]] - origin;
-        flux += 0.5 * (a & (b ^ c));
+        flux +=
+            section
+                ? 3
+                      * section
+                            ->coneTo(t.centre(points_), t.areaNormal(points_), origin)
+                            .volume
+                : 0.5 * (a & (b ^ c));
     }
-    return flux / (whole.section ? 2 : 3);
+    return flux / 3;
 }
 
 InterfaceMesh MarchingTets::takeMesh()

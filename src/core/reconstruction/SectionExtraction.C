@@ -59,26 +59,16 @@ private:
     bool isWanted(label facei) const
     {
         const label owner = complex_.owner()[facei];
-        const label neighbour =
-            isBoundary(facei) ? owner : complex_.neighbour()[facei];
+        const label neighbour = isBoundary(facei) ? owner : complex_.neighbour()[facei];
         return !complex_.isEnd(facei)
                && std::min(complex_.ring(owner), complex_.ring(neighbour)) <= nRings_
                && complex_.hasAllNeighbours(owner)
                && complex_.hasAllNeighbours(neighbour);
     }
 
-    // The owner of the edge is to the left of the way from the first end to the second.
     labelPair endsOf(label facei) const
     {
-        const face& f = complex_.faces()[facei];
-        const auto isLow = [&](label pointi)
-        { return section_.isLow(complex_.points()[pointi]); };
-        label k = 0;
-        while (!(isLow(f[k]) && isLow(f.nextLabel(k))))
-        {
-            ++k;
-        }
-        return labelPair(f[k], f.nextLabel(k));
+        return section_.edgeOf(complex_.faces()[facei], complex_.points());
     }
 
     void cutEdge(label facei, MarchingTets& tets)
@@ -97,13 +87,14 @@ private:
             {
                 continue;
             }
-            const UList<label> around(const_cast<label*>(cells), isBoundary(facei) ? 1 : 2);
+            const UList<label> around(
+                const_cast<label*>(cells), isBoundary(facei) ? 1 : 2
+            );
             tets.cutTriangle(
                 k == 0 ? FixedList<Vertex, 3>{left, apex, right}
                        : FixedList<Vertex, 3>{left, right, apex},
-                method_ == SectionMethod::isoAlpha
-                    ? around
-                    : complex_.pointCells()[ends[k]]
+                method_ == SectionMethod::isoAlpha ? around
+                                                   : complex_.pointCells()[ends[k]]
             );
         }
     }

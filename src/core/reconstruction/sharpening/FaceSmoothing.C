@@ -28,8 +28,7 @@ scalarField smoothedOverFaces(const CellComplex& complex, const scalarField& alp
     }
     forAll(sums, celli)
     {
-        sums[celli] =
-            alpha[celli] + 0.5 * sums[celli] / nSides(complex, celli);
+        sums[celli] = alpha[celli] + 0.5 * sums[celli] / nSides(complex, celli);
     }
     return sums;
 }

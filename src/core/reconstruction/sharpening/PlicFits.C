@@ -4,6 +4,7 @@
 
 #include "core/cells/CellStencil.H"
 #include "core/reconstruction/sharpening/PlicFits.H"
+#include "core/reconstruction/sharpening/SectionShape.H"
 
 #include <algorithm>
 #include <cmath>
@@ -103,7 +104,6 @@ private:
             plane.centre = complex_.faceCentres()[facei];
             plane.secondMoment = momentOf(facei, plane);
             plane.converged = true;
-            dropAcross(plane);
             InterfaceFit fit;
             fit.cell = owner;
             fit.size = spanOf(complex_, owner);
@@ -122,20 +122,10 @@ private:
         return plane.area / (size * (section ? section->thickness : size));
     }
 
-    // In two dimensions the polygon is a segment within the section.
-    void dropAcross(PlicPlane& plane) const
-    {
-        if (complex_.whole().section)
-        {
-            const symmTensor within = symmTensor(I) - sqr(complex_.whole().across());
-            plane.centre = complex_.whole().inMiddle(plane.centre);
-            plane.secondMoment = symm(within & plane.secondMoment & within);
-        }
-    }
-
     symmTensor momentOf(label facei, const PlicPlane& plane) const
     {
         const face& f = complex_.faces()[facei];
+        const WholeMesh& whole = complex_.whole();
         symmTensor moment(Zero);
         scalar area = 0;
         forAll(f, k)
@@ -143,7 +133,8 @@ private:
             const vector a = complex_.points()[f[k]] - plane.centre;
             const vector b = complex_.points()[f.nextLabel(k)] - plane.centre;
             const scalar part = 0.5 * mag(a ^ b);
-            moment += part / 12 * (sqr(a) + sqr(b) + sqr(a + b));
+            const vector u = whole.inPlane(a), v = whole.inPlane(b);
+            moment += part / 12 * (sqr(u) + sqr(v) + sqr(u + v));
             area += part;
         }
         return moment / std::max(area, scalar(VSMALL));
@@ -183,8 +174,7 @@ private:
             plane = PlicPlane();
             return;
         }
-        plane = CellShape(complex_, fit.cell).planeOf(normal / mag(normal), alpha);
-        dropAcross(plane);
+        plane = planeIn(complex_, fit.cell, normal / mag(normal), alpha);
         const point centre =
             plane.converged ? plane.centre : complex_.cellCentres()[fit.cell];
         fit.setPlane(centre, plane.normal);

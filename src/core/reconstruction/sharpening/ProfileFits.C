@@ -225,7 +225,8 @@ private:
         {
             return false;
         }
-        return (equations.nRows() >= fewestCurved && equations.solve<7>(3, linear, quadratic, b)
+        return (equations.nRows() >= fewestCurved
+                && equations.solve<7>(3, linear, quadratic, b)
                 && b[3] > flattest * steepness
                 && b.tail<3>().cwiseAbs().maxCoeff() <= largestCurvature * b[3])
                || (equations.solve<4>(3, plane, plane, b) && b[3] > trace);

@@ -267,18 +267,11 @@ private:
     // In two dimensions: both points of a pair.
     void moveAlike()
     {
-        if (complex_.whole().section)
+        const std::optional<PlaneSection>& section = complex_.whole().section;
+        const labelList pairs(section ? pairsAcross(mesh_, *section) : labelList());
+        forAll(pairs, pointi)
         {
-            vectorField totals(moves_.size());
-            forAll(totals, pointi)
-            {
-                totals[pointi] = moves_[pointi].total;
-            }
-            averageOverPairs(pairsAcross(mesh_, *complex_.whole().section), totals);
-            forAll(totals, pointi)
-            {
-                moves_[pointi].total = totals[pointi];
-            }
+            moves_[std::max(pointi, pairs[pointi])].total = moves_[pointi].total;
         }
     }
 
