@@ -50,7 +50,7 @@ void TimeSurface::send(
         Pathline path;
         path.id = pointi;
         path.home = exchange.rank();
-        path.x = path.start = mesh.points[pointi];
+        path.x = path.start = complex.whole().inMiddle(mesh.points[pointi]);
         path.isPrimary = marks_.isPrimary[pointi];
         path.weight = path.isPrimary ? marks_.areas[pointi] : 0;
         path.time = time;
@@ -125,6 +125,7 @@ void TimeSurface::collectPoints(
     scalar time, const CellComplex& complex, const Exchange& exchange
 )
 {
+    const std::optional<PlaneSection>& section = complex.whole().section;
     std::vector<DynamicList<Arrival>> toRanks(exchange.nRanks());
     for (const Pathline& path : pathlines_)
     {
@@ -144,10 +145,14 @@ void TimeSurface::collectPoints(
     {
         for (const Arrival& arrival : arrivals)
         {
-            piece_.mesh.points[arrival.id] = arrival.x;
+            const point& old = piece_.mesh.points[arrival.id];
+            piece_.mesh.points[arrival.id] =
+                section ? section->inPlane(arrival.x)
+                              + (old & section->normal) * section->normal
+                        : arrival.x;
             states_[arrival.id] = arrival.state;
             left_.crossed[arrival.id] = arrival.state == PathlineState::left;
-            left_.ends[arrival.id] = arrival.x;
+            left_.ends[arrival.id] = piece_.mesh.points[arrival.id];
             left_.beyond[arrival.id] = arrival.beyond;
             if (arrival.cell >= 0)
             {

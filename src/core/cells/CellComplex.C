@@ -66,21 +66,21 @@ CellComplex::CellComplex(CellComplexInput input) : input_(std::move(input))
     {
         throw BadInput("The mesh has no cells: nothing can be analysed on it.");
     }
+    bounds_ = boundBox(points(), false);
+    if (!input_.whole)
+    {
+        input_.whole.emplace();
+        input_.whole->bounds = bounds_;
+    }
     computeAddressing();
     computeFaces();
     computeCells();
     chooseTetBases();
-    bounds_ = boundBox(points(), false);
     bins_ = CellBins(*this);
     countRings();
     forAll(input_.globalCells, celli)
     {
         localCells_.insert(input_.globalCells[celli], celli);
-    }
-    if (!input_.whole)
-    {
-        input_.whole.emplace();
-        input_.whole->bounds = bounds_;
     }
 }
 
@@ -193,7 +193,8 @@ void CellComplex::addressBoundary()
         {
             for (label facei = nInternalFaces(); facei < nFaces(); ++facei)
             {
-                if (kinds()[facei - nInternalFaces()] != BoundaryKind::coupledUnknown)
+                if (kinds()[facei - nInternalFaces()] != BoundaryKind::coupledUnknown
+                    && !isEnd(facei))
                 {
                     for (const label pointi : faces()[facei])
                     {
@@ -229,6 +230,8 @@ void CellComplex::computeFaces()
     for (label facei = 0; facei < nFaces(); ++facei)
     {
         faceGeometry(faces()[facei], points(), faceCentres_[facei], faceAreas_[facei]);
+        faceCentres_[facei] =
+            isEnd(facei) ? faceCentres_[facei] : whole().inMiddle(faceCentres_[facei]);
     }
 }
 
@@ -236,6 +239,7 @@ void CellComplex::computeCells()
 {
     cellVolumes_.setSize(nCells());
     cellSizes_.setSize(nCells());
+    const std::optional<PlaneSection>& section = whole().section;
     for (label celli = 0; celli < nCells(); ++celli)
     {
         const auto& cellFaces = cellFaces_[celli];
@@ -273,8 +277,9 @@ void CellComplex::computeCells()
             );
         }
         cellVolumes_[celli] = volume;
-        cellSizes_[celli] = std::cbrt(volume);
-        cellCentres_[celli] = estimate + moment / volume;
+        cellSizes_[celli] =
+            section ? std::sqrt(volume / section->thickness) : std::cbrt(volume);
+        cellCentres_[celli] = whole().inMiddle(estimate + moment / volume);
     }
 }
 

@@ -5,6 +5,7 @@
 #include "core/comparison/Inflow.H"
 #include "core/ranks/ExactSum.H"
 #include "core/surface/InterfaceMotion.H"
+#include "core/surface/Ribbon.H"
 #include "core/surface/pieces/SharedPoints.H"
 
 #include <algorithm>
@@ -226,8 +227,11 @@ ClassifiedSurface Comparison::describeInterface(std::vector<Droplet>& droplets) 
     interface.mesh = own.piece.mesh;
 
     const SurfaceHalo halo(surroundings(own.piece, setting_));
-    const Components components(halo, setting_.referencePoint(), setting_.run.ranks);
-    interface.areas = halo.toOwned(halo.mesh().pointAreas());
+    const std::optional<PlaneSection>& section = setting_.section();
+    const Components components(
+        halo, setting_.referencePoint(), setting_.run.ranks, section
+    );
+    interface.areas = halo.toOwned(pointAreasInMesh(halo.mesh(), section));
     interface.isPrimary = halo.toOwned(halo.primaryPoints());
     interface.components = halo.toOwned(components.ofPoints());
     SmallScales scales(
@@ -283,7 +287,8 @@ ClassifiedSurface describe(
     surface.areas = pointAreas(
         halo.mesh(), halo.triangleValues(cornerShares(
                          timeSurface.piece().mesh.triangles, timeSurface.left(), false
-                     ))
+                     )),
+        setting.section()
     );
     const List<PathlineState> states(halo.toHalo(timeSurface.states()));
     forAll(states, pointi)

@@ -100,7 +100,8 @@ void findEntered(
     }
     interface.areas = halo.toOwned(pointAreas(
         halo.mesh(),
-        halo.triangleValues(cornerShares(mesh.triangles, interface.crossings, true))
+        halo.triangleValues(cornerShares(mesh.triangles, interface.crossings, true)),
+        setting.section()
     ));
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/ranks/Quantiles.H"
 #include "core/ranks/ExactSum.H"
+#include "core/surface/Ribbon.H"
 
 #include <algorithm>
 
@@ -120,7 +121,8 @@ void addClasses(
 
 void addInterface(
     Statistics& statistics, const ClassifiedSurface& interface, const Epsilon& epsilon,
-    const scalarField& areas, const Exchange& exchange
+    const scalarField& areas, const Exchange& exchange,
+    const std::optional<PlaneSection>& section
 )
 {
     const InterfaceMesh& mesh = interface.mesh;
@@ -143,7 +145,7 @@ void addInterface(
     forAll(mesh.triangles, trianglei)
     {
         const triFace& triangle = mesh.triangles[trianglei];
-        const scalar area = mag(mesh.areaVector(trianglei));
+        const scalar area = areaInMesh(mesh, trianglei, section);
         const scalar entered = crossedShare(triangle, interface.crossings);
         sums.add(statistics.area, area);
         sums.add(statistics.enteredArea, entered * area);
@@ -230,11 +232,11 @@ void fillDriftSpeeds(
 void addSurfaceStatistics(
     Statistics& statistics, const ClassifiedSurface& interface,
     const ClassifiedSurface& timeSurface, const Epsilon& epsilon,
-    const Exchange& exchange
+    const Exchange& exchange, const std::optional<PlaneSection>& section
 )
 {
     const scalarField areas(countedAreas(interface));
-    addInterface(statistics, interface, epsilon, areas, exchange);
+    addInterface(statistics, interface, epsilon, areas, exchange, section);
     fillSurvival(
         statistics.attachedFraction, interface, areas,
         statistics.area - statistics.enteredArea, exchange
@@ -252,7 +254,8 @@ void addSurfaceStatistics(
 
 void addMotion(
     Statistics& statistics, const ClassifiedSurface& timeSurface,
-    const pointField& startPositions, const Exchange& exchange
+    const pointField& startPositions, const Exchange& exchange,
+    const std::optional<PlaneSection>& section
 )
 {
     const InterfaceMesh& mesh = timeSurface.mesh;
@@ -270,7 +273,7 @@ void addMotion(
     {
         const scalar left =
             crossedShare(before.triangles[trianglei], timeSurface.crossings);
-        sums.add(statistics.leftArea, left * mag(before.areaVector(trianglei)));
+        sums.add(statistics.leftArea, left * areaInMesh(before, trianglei, section));
     }
     forAll(areas, pointi)
     {

@@ -2,6 +2,8 @@
 
 #include "core/surface/Crossings.H"
 
+#include "core/surface/Ribbon.H"
+
 #include <algorithm>
 
 namespace Foam::stability
@@ -68,12 +70,15 @@ List<CornerShares> cornerShares(
     return shares;
 }
 
-scalarField pointAreas(const InterfaceMesh& mesh, const UList<CornerShares>& shares)
+scalarField pointAreas(
+    const InterfaceMesh& mesh, const UList<CornerShares>& shares,
+    const std::optional<PlaneSection>& section
+)
 {
     scalarField areas(mesh.points.size(), 0);
     forAll(mesh.triangles, trianglei)
     {
-        const scalar area = mag(mesh.areaVector(trianglei));
+        const scalar area = areaInMesh(mesh, trianglei, section);
         for (label k = 0; k < 3; ++k)
         {
             areas[mesh.triangles[trianglei][k]] += shares[trianglei][k] * area;
