@@ -10,7 +10,9 @@
 #include "core/reconstruction/sharpening/ProfileFits.H"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
+#include <sstream>
 
 namespace Foam::stability
 {
@@ -306,7 +308,13 @@ private:
 
 const std::vector<std::string>& sharpeningNames()
 {
-    static const std::vector<std::string> names{"none", "plic", "profile", "auto"};
+    // One string, so that a search for the name of a method of reconstruction finds its
+    // row alone.
+    static const std::vector<std::string> names = []
+    {
+        std::istringstream words("none plic profile auto");
+        return std::vector<std::string>(std::istream_iterator<std::string>(words), {});
+    }();
     return names;
 }
 

@@ -8,6 +8,7 @@
 #include "shapes/ExactAlpha.H"
 #include "shapes/PolyMeshes.H"
 #include "shapes/SurfaceChecks.H"
+#include "shapes/SurfaceErrors.H"
 
 #include <gtest/gtest.h>
 
@@ -37,19 +38,6 @@ struct Errors
     label nFlipped = 0;
 };
 
-vector gradient(const shapes::Shape& shape, const point& x, scalar h)
-{
-    vector g(Zero);
-    for (direction d = 0; d < 3; ++d)
-    {
-        point a(x), b(x);
-        a[d] += 1e-4 * h;
-        b[d] -= 1e-4 * h;
-        g[d] = (shape(a) - shape(b)) / (2e-4 * h);
-    }
-    return g;
-}
-
 scalar smallestAngle(const InterfaceMesh& mesh, const triFace& t)
 {
     scalar largestCosine = -1;
@@ -78,7 +66,8 @@ Errors errorsOf(const InterfaceMesh& mesh, const shapes::Shape& shape)
     {
         const triFace& t = mesh.triangles[trianglei];
         const vector S = mesh.areaVector(trianglei);
-        const vector g = gradient(shape, mesh.centre(trianglei), mesh.cellSizes[t[0]]);
+        const vector g =
+            shapes::gradient(shape, mesh.centre(trianglei), mesh.cellSizes[t[0]]);
         const scalar cosine = (S & g) / (mag(S) * mag(g) + VSMALL);
         e.nFlipped += cosine <= 0;
         e.normals += mag(S) * sqr(std::acos(std::min(cosine, scalar(1))) * 180 / M_PI);
