@@ -128,11 +128,8 @@ def strain():
     for index in range(len(run)):
         for family in ("interface", "timeSurface"):
             s = run.surface(family, index)
-            if index == 0 and family == "timeSurface":
-                continue
             x = s.points - np.array(arguments.centre)
-            r = x - np.outer(x @ axis, axis)
-            r = np.linalg.norm(between(r, unit(arguments.normal)), axis=1)
+            r = np.linalg.norm(between(between(x, axis), unit(arguments.normal)), axis=1)
             a = radius * np.exp(rate * s.time)
             b = radius * np.exp(-0.5 * rate * s.time)
             z = x @ axis
@@ -142,7 +139,14 @@ def strain():
             worst = max(worst, np.abs(f / g).max() * arguments.cells)
     verdict.at_most("distance from the exact spheroid [cells]", worst, arguments.origin)
     angle = np.linspace(0, np.pi, 20001)
-    a = radius * np.exp(rate * table["time"] if "time" in table else 0)
+    worst = 0
+    for time, area in zip(table["Time"], table["area"]):
+        z = radius * np.exp(rate * time) * np.cos(angle)
+        r = radius * np.exp(-0.5 * rate * time) * np.sin(angle)
+        arcs = np.hypot(np.diff(z), np.diff(r))
+        exact = arguments.slope * (arcs * 0.5 * (r[1:] + r[:-1])).sum()
+        worst = max(worst, abs(area / exact - 1))
+    verdict.at_most("area in the wedge, relative", worst, 1e-3)
 
 
 {"rotation": rotation, "same": same, "strain": strain}[arguments.kind]()

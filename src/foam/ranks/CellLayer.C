@@ -277,6 +277,7 @@ private:
             }
         }
         section.axis = normal ^ outward;
+        section.axis *= sign(cmptSum(section.axis));
         const auto slope = [&](const vector& area)
         { return mag((area & outward) / (area & normal)); };
         section.meshThickness = slope(low) + slope(high);

@@ -262,7 +262,7 @@ private:
         const vector along = (arm & strainAxis_) * strainAxis_;
         const vector across(arm - along);
         return strain_
-               * (section.wedge
+               * (section_.wedge
                       ? along - 0.5 * across
                       : along - across + (across & section_.normal) * section_.normal);
     }

@@ -83,11 +83,11 @@ CellComplexInput wedgeRow()
         f({0, 2, 7, 5}).reverseFace(), // high, cell 0
         f({1, 6, 8, 3}).reverseFace(), // low, cell 1
         f({2, 4, 9, 7}).reverseFace(), // high, cell 1
-        f({0, 1, 2}),
-        f({5, 7, 6}), // ends along x, cell 0
-        f({1, 3, 4, 2}),
-        f({6, 7, 9, 8}),  // and cell 1
-        f({3, 8, 9, 4})}; // outside
+        f({0, 2, 1}),
+        f({5, 6, 7}), // ends along x, cell 0
+        f({1, 2, 4, 3}),
+        f({6, 8, 9, 7}),  // and cell 1
+        f({3, 4, 9, 8})}; // outside
     mesh.owner = {0, 0, 0, 1, 1, 0, 0, 1, 1, 1};
     mesh.neighbour = {1};
     mesh.kinds.setSize(9, BoundaryKind::open);
