@@ -285,9 +285,10 @@ ClassifiedSurface describe(
     left.beyond = halo.toHalo(timeSurface.left().beyond);
     // As they are now: what left lies flat on the boundary.
     surface.areas = pointAreas(
-        halo.mesh(), halo.triangleValues(cornerShares(
-                         timeSurface.piece().mesh.triangles, timeSurface.left(), false
-                     )),
+        halo.mesh(),
+        halo.triangleValues(
+            cornerShares(timeSurface.piece().mesh.triangles, timeSurface.left(), false)
+        ),
         setting.section()
     );
     const List<PathlineState> states(halo.toHalo(timeSurface.states()));

@@ -29,9 +29,9 @@ public:
         const point& x, scalar time, CellHint& hint, CellHint& earlierHint
     ) const override
     {
-        VelocitySample result =
-            sharesComplex() ? forward_.sample(x, -time, hint, earlierHint)
-                            : forward_.sample(x, -time, earlierHint, hint);
+        VelocitySample result = sharesComplex()
+                                    ? forward_.sample(x, -time, hint, earlierHint)
+                                    : forward_.sample(x, -time, earlierHint, hint);
         result.U = -result.U;
         return result;
     }

@@ -367,10 +367,10 @@ ParametrizationResult parametrize(
             {
                 FlatPatch& flat = flats[i];
                 flat = section
-                            ? unrolled(patches[i], *section)
-                            : flattened(
-                                interface.mesh, patches[i], *method, options.edgeLength
-                            );
+                           ? unrolled(patches[i], *section)
+                           : flattened(
+                               interface.mesh, patches[i], *method, options.edgeLength
+                           );
                 result.nCharts += !flat.chart.parameters.empty();
                 result.nFallbacks += flat.chart.fallback;
                 result.nKept += flat.copy.kept;

@@ -33,7 +33,8 @@ distributed(const InterfaceMesh& mesh, const WholeMesh& whole, const Exchange& e
     return redistributed(all, ofRanks, exchange).piece;
 }
 
-// Keeps what is made in this rank's own cells. Returns the points that others have, too.
+// Keeps what is made in this rank's own cells. Returns the points that others have,
+// too.
 List<NamedPoint> extractOwn(
     const Reconstruction& method, const FlowSnapshot& snapshot,
     ExtractedSurface& surface

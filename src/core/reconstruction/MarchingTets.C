@@ -141,8 +141,7 @@ PointName MarchingTets::nameOf(label pointi) const
     const edge& cut = keys_[pointi];
     const bool second = pointi > 0 && keys_[pointi - 1] == cut;
     FixedList<label, 3> a(nameOfVertex(cut.first())), b(nameOfVertex(cut.second()));
-    if (std::lexicographical_compare(b.begin(), b.end(), a.begin(), a.end())
-        != second)
+    if (std::lexicographical_compare(b.begin(), b.end(), a.begin(), a.end()) != second)
     {
         std::swap(a, b);
     }
@@ -347,8 +346,10 @@ void MarchingTets::closeWhole(label facei)
     forAll(f, k)
     {
         addBoundary(
-            volumeTo({complex_.faceCentres()[facei], complex_.points()[f[k]],
-                      complex_.points()[f.nextLabel(k)]}),
+            volumeTo(
+                {complex_.faceCentres()[facei], complex_.points()[f[k]],
+                 complex_.points()[f.nextLabel(k)]}
+            ),
             facei
         );
     }
@@ -382,7 +383,7 @@ scalar MarchingTets::volumeTo(const point& centre, const vector& area) const
     {
         return section->coneTo(centre, area, field_->centre).volume;
     }
-    return ((*field_)(centre) & area) * (section ? section->factor(centre) : 1);
+    return ((*field_)(centre)&area) * (section ? section->factor(centre) : 1);
 }
 
 // The lowest face, so that the order of the visits does not matter.

@@ -4,6 +4,8 @@
 
 #include "core/parametrization/ChartPacking.H"
 
+#include <algorithm>
+
 namespace Foam::stability
 {
 
@@ -20,8 +22,8 @@ struct SplitPoints
     List<triFace> triangles; // of output points
 };
 
-// The display corner on a swatch, from the index of p or none: negative, and even on that
-// of what attached. So it is not welded to tracked triangles, yet p stays known.
+// The display corner on a swatch, from the index of p or none: negative, and even on
+// that of what attached. So it is not welded to tracked triangles, yet p stays known.
 label onSwatch(label corner, bool entered)
 {
     return -2 - 2 * (max(corner, label(-1)) + 1) - entered;
@@ -35,9 +37,9 @@ label trueCorner(label corner)
 
 vector2D texturePlace(const InterfaceMesh& mesh, label corner)
 {
-    return corner >= 0        ? mesh.parameters[corner]
+    return corner >= 0       ? mesh.parameters[corner]
            : corner % 2 == 0 ? Swatches::attached()
-                              : Swatches::entered();
+                             : Swatches::entered();
 }
 
 SplitPoints split(const InterfaceMesh& mesh, const List<CornerIndices>& corners)
@@ -115,7 +117,7 @@ PointArray scalars(
     const std::string& name, bool integer, const labelList& vertex, const Value& value
 )
 {
-    PointArray array{name, 1, integer, {}};
+    PointArray array{name, 1, integer, {}, false};
     array.values.reserve(vertex.size());
     for (const label pointi : vertex)
     {
@@ -125,9 +127,9 @@ PointArray scalars(
 }
 
 PointArray
-vectors(const std::string& name, const labelList& places, const pointField& x)
+positions(const std::string& name, const labelList& places, const pointField& x)
 {
-    PointArray array{name, 3, false, {}};
+    PointArray array{name, 3, false, {}, true};
     for (const label place : places)
     {
         array.values.insert(
@@ -175,7 +177,7 @@ ResultSurface surface(
     result.time = time;
     result.triangles = split.triangles;
     result.points.setSize(split.vertex.size());
-    PointArray parameter{"parameter", 2, false, {}};
+    PointArray parameter{"parameter", 2, false, {}, false};
     forAll(split.vertex, i)
     {
         result.points[i] = from.mesh.points[split.vertex[i]];
@@ -214,14 +216,14 @@ interfaceSurface(const ClassifiedSurface& from, scalar time, const labelList& nu
     ResultSurface result(surface(from, points, time, numbers));
     const labelList& vertex = points.vertex;
 
-    PointArray texture{"TCoords", 2, false, {}};
+    PointArray texture{"TCoords", 2, false, {}, false};
     for (const label corner : points.parameter)
     {
         append(texture, texturePlace(from.mesh, corner));
     }
     result.arrays.insert(result.arrays.begin(), texture);
     addMarks(from, &MarkFiles::interface, vertex, result.arrays);
-    result.arrays.push_back(vectors("origin", points.origin, from.mesh.origins));
+    result.arrays.push_back(positions("origin", points.origin, from.mesh.origins));
     result.arrays.push_back(scalars(
         "preimageCount", true, vertex, [&](label i) { return from.preimages[i]; }
     ));
@@ -248,7 +250,7 @@ ResultSurface particleCloud(const UList<InstabilityParticle>& all, scalar time)
     result.points.setSize(all.size());
     pointField origins(all.size());
     pointField detachments(all.size());
-    PointArray parameter{"parameter", 2, false, {}};
+    PointArray parameter{"parameter", 2, false, {}, false};
     forAll(all, i)
     {
         result.points[i] = all[i].path.x;
@@ -281,9 +283,27 @@ ResultSurface particleCloud(const UList<InstabilityParticle>& all, scalar time)
     );
     add("state", true, [](const Particle& p) { return label(p.path.state); });
     result.arrays.push_back(parameter);
-    result.arrays.push_back(vectors("origin", order, origins));
-    result.arrays.push_back(vectors("detachmentPosition", order, detachments));
+    result.arrays.push_back(positions("origin", order, origins));
+    result.arrays.push_back(positions("detachmentPosition", order, detachments));
     return result;
+}
+
+void moveIntoMesh(ResultSurface& surface, const PlaneSection& section)
+{
+    surface.sectionNormal = section.normal;
+    for (point& x : surface.points)
+    {
+        x = section.inMesh(x);
+    }
+    for (PointArray& array : surface.arrays)
+    {
+        for (std::size_t i = 0; array.position && i < array.values.size(); i += 3)
+        {
+            double* x = &array.values[i];
+            const point moved(section.inMesh(point(x[0], x[1], x[2])));
+            std::copy(moved.begin(), moved.end(), x);
+        }
+    }
 }
 
 } // namespace Foam::stability

@@ -29,6 +29,19 @@ Field<Type> boundaryValues(const GeometricField<Type, PatchField, GeoMesh>& fiel
     return values;
 }
 
+// Without what flows across a section.
+vectorField inPlane(vectorField U, const CellComplex& complex)
+{
+    if (complex.whole().section)
+    {
+        for (vector& value : U)
+        {
+            value = complex.whole().section->inPlane(value);
+        }
+    }
+    return U;
+}
+
 // At walls and symmetries the volume fraction is that of the cell. A patch of a contact
 // angle extrapolates, beyond [0, 1] if it is told to, and at the first time it does so
 // in the memory of a solver but not on disk. All in the order of the complex.
@@ -94,8 +107,8 @@ std::shared_ptr<FlowSnapshot> MeshSnapshots::take(
     snapshot->alphas.setSize(1, cells_.cellValues(alpha.primitiveField()));
     snapshot->boundaryAlphas.setSize(1, cells_.boundaryValues(boundaryValues(alpha)));
     correctAlpha(snapshot->boundaryAlphas[0], snapshot->alphas[0], complex);
-    snapshot->U = cells_.cellValues(U.primitiveField());
-    snapshot->boundaryU = cells_.boundaryValues(boundaryValues(U));
+    snapshot->U = cells_.cellValues(inPlane(U.primitiveField(), complex));
+    snapshot->boundaryU = cells_.boundaryValues(inPlane(boundaryValues(U), complex));
     correctVelocity(snapshot->boundaryU, snapshot->U, complex);
     std::string failure;
     try

@@ -72,11 +72,11 @@ void ProgressReport::showProgress(
     {
         line << " of " << nExpected_;
     }
-    line << ", time " << timeName << " s: " << s.nVertices << " vertices, "
-         << shares(s) << s.detachedArea() << " m2 detached, " << s.nParticles
-         << " particles; moved " << s.displacement << " cells (largest "
-         << s.largestDisplacement << "), epsilon/interval " << s.smallestVisibleDrift()
-         << " m/s, noise floor " << s.noiseFloor << " cells; " << seconds << " s";
+    line << ", time " << timeName << " s: " << s.nVertices << " vertices, " << shares(s)
+         << s.detachedArea() << " m2 detached, " << s.nParticles << " particles; moved "
+         << s.displacement << " cells (largest " << s.largestDisplacement
+         << "), epsilon/interval " << s.smallestVisibleDrift() << " m/s, noise floor "
+         << s.noiseFloor << " cells; " << seconds << " s";
     if (nExpected_ > nClassified_)
     {
         const scalar left = seconds / nClassified_ * (nExpected_ - nClassified_);
@@ -91,7 +91,8 @@ void ProgressReport::showDetails(const Classification& c) const
     if (s.nTriangles == 0 && s.detachedArea() + s.leftArea > 0)
     {
         Info << "    there is no interface any more: of the last one " << s.leftArea
-             << " m2 left the domain and " << s.detachedArea() << " m2 detached" << endl;
+             << " m2 left the domain and " << s.detachedArea() << " m2 detached"
+             << endl;
     }
     else if (s.nTriangles == 0)
     {
