@@ -70,6 +70,19 @@ Rows facesOfCells(const CellComplexInput& mesh)
     );
 }
 
+boundBox boundsOf(const CellComplexInput& mesh)
+{
+    boundBox bounds;
+    for (const face& f : mesh.faces)
+    {
+        for (const label pointi : f)
+        {
+            bounds.add(mesh.points[pointi]);
+        }
+    }
+    return bounds;
+}
+
 CellComplex::CellComplex(CellComplexInput input) : input_(std::move(input))
 {
     if (input_.nCells == 0)
@@ -80,7 +93,7 @@ CellComplex::CellComplex(CellComplexInput input) : input_(std::move(input))
     computeFaces();
     computeCells();
     chooseTetBases();
-    bounds_ = boundBox(points(), false);
+    bounds_ = boundsOf(input_);
     bins_ = CellBins(*this);
     countRings();
     forAll(input_.globalCells, celli)

@@ -113,10 +113,10 @@ std::string rotationName(const ::testing::TestParamInfo<RotationCase>& info)
     return std::get<0>(info.param).name + "_" + std::to_string(std::get<1>(info.param));
 }
 
-// rms over the points [m].
+// Mean over the corners [m].
 scalar originError(const InterfaceMesh& surface, const Turning& turning, scalar time)
 {
-    scalar squares = 0;
+    scalar sum = 0;
     label n = 0;
     forAll(surface.triangles, trianglei)
     {
@@ -124,11 +124,11 @@ scalar originError(const InterfaceMesh& surface, const Turning& turning, scalar 
         {
             const point& start = surface.origins[surface.originCorners[trianglei][k]];
             const point& x = surface.points[surface.triangles[trianglei][k]];
-            squares += magSqr(turning.turned(start, time) - x);
+            sum += mag(turning.turned(start, time) - x);
             ++n;
         }
     }
-    return std::sqrt(squares / n);
+    return sum / n;
 }
 
 // The worst at any transfer. On mixed cells single points are not moved by any fit; on
@@ -137,7 +137,7 @@ struct Worst
 {
     scalar share;   // of the area, detached or attached
     scalar covered; // of the area, with p
-    scalar origin;  // [h], rms
+    scalar origin;  // [h], mean
 };
 
 Worst worstAllowed(const shapes::ZooMesh& mesh)
