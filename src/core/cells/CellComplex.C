@@ -60,13 +60,26 @@ Rows facesOfCells(const CellComplexInput& mesh)
     );
 }
 
+boundBox boundsOf(const CellComplexInput& mesh)
+{
+    boundBox bounds;
+    for (const face& f : mesh.faces)
+    {
+        for (const label pointi : f)
+        {
+            bounds.add(mesh.points[pointi]);
+        }
+    }
+    return bounds;
+}
+
 CellComplex::CellComplex(CellComplexInput input) : input_(std::move(input))
 {
     if (input_.nCells == 0 && !(input_.whole && input_.whole->nCells() > 0))
     {
         throw BadInput("The mesh has no cells: nothing can be analysed on it.");
     }
-    bounds_ = boundBox(points(), false);
+    bounds_ = boundsOf(input_);
     if (!input_.whole)
     {
         input_.whole.emplace();

@@ -198,13 +198,13 @@ RowPacking packRows(const UList<scalar>& lengths, scalar gutter)
         packing.scale /= 2;
         nRows = fillRows(lengths, order, packing.scale, gutter, rows, starts);
     }
-    const scalar free = 1 - BlackSwatch::size - gutter;
+    const scalar free = 1 - Swatches::size - gutter;
     packing.height = free / nRows - gutter;
     packing.corners.setSize(n);
     for (label i = 0; i < n; ++i)
     {
         packing.corners[i] = vector2D(
-            starts[i], BlackSwatch::size + gutter + rows[i] * (packing.height + gutter)
+            starts[i], Swatches::size + gutter + rows[i] * (packing.height + gutter)
         );
     }
     return packing;
