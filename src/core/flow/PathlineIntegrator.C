@@ -75,7 +75,7 @@ public:
                 ++counts_.nElsewhere;
                 return false;
             }
-            if (line_.state == PathlineState::moving)
+            if (line_.stage == nStages)
             {
                 endStep();
             }
@@ -103,12 +103,10 @@ private:
     bool sample(const point& x, scalar time)
     {
         sample_ = velocity_.sample(x, time, line_.hint, line_.earlierHint);
-        if (sample_.where == VelocitySample::Where::nowhere)
-        {
-            finish(PathlineState::lost, counts_.nLost);
-        }
         return sample_.where != VelocitySample::Where::elsewhere;
     }
+
+    bool isNowhere() const { return sample_.where == VelocitySample::Where::nowhere; }
 
     void finish(PathlineState state, label& count)
     {
@@ -125,7 +123,12 @@ private:
             {
                 return false;
             }
-            if (line_.state != PathlineState::moving || startsOutside())
+            if (isNowhere())
+            {
+                finish(PathlineState::lost, counts_.nLost);
+                return true;
+            }
+            if (startsOutside())
             {
                 return true;
             }
@@ -185,13 +188,35 @@ private:
             {
                 return false;
             }
-            line_.k[i] = sample_.U;
-            if (line_.state == PathlineState::moving)
+            if (isNowhere())
             {
-                ++line_.stage;
+                retryOrLose();
+                return true;
             }
+            line_.k[i] = sample_.U;
+            ++line_.stage;
         }
         return true;
+    }
+
+    // Beside a wall the velocity changes so fast that a long step may look far outside
+    // the domain for one of its stages.
+    void retryOrLose()
+    {
+        line_.stage = 0;
+        if (isShortest(line_.step))
+        {
+            finish(PathlineState::lost, counts_.nLost);
+        }
+        else
+        {
+            reject(slowest * line_.step);
+        }
+    }
+
+    bool isShortest(scalar step) const
+    {
+        return step <= (1 + 1e-6) * shortestStep * duration_;
     }
 
     void endStep()
@@ -201,7 +226,7 @@ private:
         const scalar allowed = options_.tolerance * line_.cellSize;
         const scalar error =
             step * mag(combine(line_, e, nStages)) / (std::sqrt(3.0) * allowed);
-        const bool shortest = step <= (1 + 1e-6) * shortestStep * duration_;
+        const bool shortest = isShortest(step);
         const scalar factor =
             error > 0 ? max(slowest, min(safety * std::pow(error, -0.2), fastest))
                       : fastest;
