@@ -2,6 +2,8 @@
 
 #include "core/flow/PathlineIntegrator.H"
 
+#include "core/flow/DormandPrince.H"
+
 #include <cmath>
 
 namespace Foam::stability
@@ -10,22 +12,7 @@ namespace Foam::stability
 namespace
 {
 
-// Dormand and Prince (1980), Table 2: nodes, rows, and the difference of the fifth
-// and fourth order weights. The last row holds the weights of fifth order, so that
-// the last stage is the first of the next step.
-constexpr label nStages = 7;
-constexpr scalar c[nStages] = {0, 1.0 / 5, 3.0 / 10, 4.0 / 5, 8.0 / 9, 1, 1};
-constexpr scalar a[nStages][nStages - 1] = {
-    {},
-    {1.0 / 5},
-    {3.0 / 40, 9.0 / 40},
-    {44.0 / 45, -56.0 / 15, 32.0 / 9},
-    {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
-    {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
-    {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84}};
-constexpr scalar e[nStages] = {
-    71.0 / 57600,      0,          -71.0 / 16695, 71.0 / 1920,
-    -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
+using namespace dormandPrince;
 
 constexpr scalar safety = 0.9;
 constexpr scalar slowest = 0.2; // change of the step from one to the next
