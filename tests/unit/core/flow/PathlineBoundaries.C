@@ -299,7 +299,7 @@ TEST(PathlineBoundaries, NothingStaysAtAConvexEdge)
     List<point> start;
     for (label j = 0; j < 11; ++j)
     {
-        for (label k = 0; k < 11; ++k)
+        for (label k = 1; k < 11; ++k)
         {
             start.append(point(0.6, 0.25 + 0.05 * j, 0.05 * k));
         }
