@@ -138,13 +138,16 @@ joined(const InterfaceMesh& mesh, const List<Patch>& patches, const List<Piece>&
     return result;
 }
 
-// In two dimensions as it is.
-Piece unrolled(const Patch& patch, const PlaneSection& section)
+// In two dimensions.
+Piece unrolled(
+    const InterfaceMesh& mesh, const Patch& patch, const PlaneSection& section
+)
 {
+    constexpr scalar stripLength = 0.2; // in mean cell sizes of the patch
     Piece piece;
-    piece.copy.surface = patch.surface;
-    piece.copy.nearest = identity(patch.surface.points.size());
-    piece.chart = ribbonChart(patch.surface, section);
+    piece.copy =
+        refinedRibbon(patch.surface, section, stripLength * meanCellSize(mesh, patch));
+    piece.chart = ribbonChart(piece.copy.surface, section);
     piece.parameters = piece.chart.parameters;
     piece.chart.fallback = piece.parameters.empty();
     return piece;
@@ -295,7 +298,7 @@ ParametrizationResult parametrize(
             {
                 Piece& piece = pieces[i];
                 piece = section
-                            ? unrolled(patches[i], *section)
+                            ? unrolled(interface.mesh, patches[i], *section)
                             : flattened(
                                 interface.mesh, patches[i], *method, options.edgeLength
                             );
