@@ -173,7 +173,7 @@ TransferResult Comparison::carryOver(const DistributedChart& chart)
             timeSurface_.piece(), target_->topology(), timeSurface_.ownTriangles(),
             exchange
         ),
-        own_};
+        own_, setting_.section()};
     split_ = near_.mesh;
     useLocalCells(split_, setting_.complex());
     TransferResult result;

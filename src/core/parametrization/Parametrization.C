@@ -144,13 +144,16 @@ SurfacePiece joined(
     return result;
 }
 
-// In two dimensions as it is.
-FlatPatch unrolled(const Patch& patch, const PlaneSection& section)
+// In two dimensions.
+FlatPatch unrolled(
+    const InterfaceMesh& mesh, const Patch& patch, const PlaneSection& section
+)
 {
+    constexpr scalar stripLength = 0.2; // in mean cell sizes of the patch
     FlatPatch flat;
-    flat.copy.surface = patch.surface;
-    flat.copy.nearest = identity(patch.surface.points.size());
-    flat.chart = ribbonChart(patch.surface, section);
+    flat.copy =
+        refinedRibbon(patch.surface, section, stripLength * meanCellSize(mesh, patch));
+    flat.chart = ribbonChart(flat.copy.surface, section);
     flat.parameters = flat.chart.parameters;
     flat.chart.fallback = flat.parameters.empty();
     return flat;
@@ -367,7 +370,7 @@ ParametrizationResult parametrize(
             {
                 FlatPatch& flat = flats[i];
                 flat = section
-                           ? unrolled(patches[i], *section)
+                           ? unrolled(interface.mesh, patches[i], *section)
                            : flattened(
                                interface.mesh, patches[i], *method, options.edgeLength
                            );

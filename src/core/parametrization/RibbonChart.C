@@ -92,7 +92,111 @@ struct RibbonCurve
     }
 };
 
+// The unit directions of the curve at its points, in their order; at the ends as of an
+// arc.
+vectorField directionsAlong(const pointField& x, bool closed)
+{
+    const label n = x.size();
+    const auto chord = [&](label i)
+    {
+        const vector d = x[(i + 1) % n] - x[i];
+        return d / std::max(mag(d), scalar(VSMALL));
+    };
+    vectorField directions(n);
+    for (label i = 0; i < n; ++i)
+    {
+        if (closed || (i > 0 && i + 1 < n))
+        {
+            const vector sum = chord((i + n - 1) % n) + chord(i);
+            directions[i] = sum / std::max(mag(sum), scalar(VSMALL));
+        }
+    }
+    const auto mirrored = [](const vector& d, const vector& c)
+    { return 2 * (d & c) * c - d; };
+    if (!closed)
+    {
+        directions[0] = n > 2 ? mirrored(directions[1], chord(0)) : chord(0);
+        directions[n - 1] =
+            n > 2 ? mirrored(directions[n - 2], chord(n - 2)) : chord(0);
+    }
+    return directions;
+}
+
+// The place at a share of the way from x to y on the cubic with these directions, or on
+// the chord where they differ much from it.
+point onArc(
+    const point& x, const vector& d, const point& y, const vector& e, scalar share
+)
+{
+    constexpr scalar sharp = 0.955; // cosine of 17 degrees
+    const vector c = y - x;
+    const scalar length = mag(c), s = share;
+    if ((c & d) < sharp * length || (c & e) < sharp * length)
+    {
+        return x + s * c;
+    }
+    return x + s * s * (3 - 2 * s) * c + length * s * (1 - s) * ((1 - s) * d - s * e);
+}
+
 } // namespace
+
+RemeshingResult
+refinedRibbon(const PlainSurface& ribbon, const PlaneSection& section, scalar length)
+{
+    RemeshingResult copy;
+    copy.surface = ribbon;
+    copy.nearest = identity(ribbon.points.size());
+    const RibbonCurve curve(ribbon, section);
+    const DynamicList<label> order(curve.inOrder(ribbon));
+    if (order.size() < 2)
+    {
+        return copy;
+    }
+    const bool closed = curve.next[order.last()] == order[0];
+    const label n = order.size(), nStrips = closed ? n : n - 1;
+    pointField x(n);
+    forAll(x, i)
+    {
+        x[i] = section.inMiddle(ribbon.points[order[i]]);
+    }
+    const vectorField directions(directionsAlong(x, closed));
+    DynamicList<point> points(ribbon.points);
+    DynamicList<label> nearest(copy.nearest);
+    DynamicList<triFace> triangles;
+    for (label i = 0; i < nStrips; ++i)
+    {
+        const label j = (i + 1) % n;
+        const label nParts = std::max(std::ceil(mag(x[j] - x[i]) / length), scalar(1));
+        const label inner = closed || i > 0 ? order[i] : order[j]; // not at an end
+        label a = order[i], above = curve.above[a];
+        for (label k = 1; k <= nParts; ++k)
+        {
+            label b = order[j], aboveB = curve.above[b];
+            if (k < nParts)
+            {
+                const scalar share = scalar(k) / nParts;
+                const point y = onArc(x[i], directions[i], x[j], directions[j], share);
+                b = points.size();
+                aboveB = b + 1;
+                points.append(section.inLow(y));
+                points.append(section.inHigh(y));
+                nearest.append(inner);
+                nearest.append(curve.above[inner]);
+                copy.largestDistance = std::max(
+                    copy.largestDistance, mag(y - x[i] - share * (x[j] - x[i]))
+                );
+            }
+            triangles.append(triFace(a, b, aboveB));
+            triangles.append(triFace(a, aboveB, above));
+            a = b;
+            above = aboveB;
+        }
+    }
+    copy.surface.points = points;
+    copy.surface.triangles = triangles;
+    copy.nearest = nearest;
+    return copy;
+}
 
 Chart ribbonChart(const PlainSurface& ribbon, const PlaneSection& section)
 {

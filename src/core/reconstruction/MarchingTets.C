@@ -20,21 +20,6 @@ bool inside(const Vertex& v)
     return VolumeFractions::inside(v.value);
 }
 
-// The vertex that is alone on its side; -1 where all three are on one side.
-label loneOf(const FixedList<Vertex, 3>& triangle)
-{
-    for (label k = 0; k < 3; ++k)
-    {
-        const bool side = inside(triangle[k]);
-        if (inside(triangle[(k + 1) % 3]) != side
-            && inside(triangle[(k + 2) % 3]) != side)
-        {
-            return k;
-        }
-    }
-    return -1;
-}
-
 // The vertices opposite to vertex i, right-handed around the direction away from it.
 constexpr label opposite[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 
@@ -234,29 +219,6 @@ label MarchingTets::addPoint(const edge& key, const point& x, label celli)
     return points_.size() - 1;
 }
 
-void MarchingTets::cutTriangle(
-    const FixedList<Vertex, 3>& triangle, const UList<label>& cells
-)
-{
-    home_ = homeOf(cells);
-    const label lone = loneOf(triangle);
-    if (lone < 0)
-    {
-        return;
-    }
-    const Vertex& tip = triangle[lone];
-    label ends[2]; // in the lower plane
-    for (label k = 0; k < 2; ++k)
-    {
-        const Vertex& other = triangle[(lone + 1 + k) % 3];
-        const bool isInside = inside(tip);
-        ends[isInside ? k : 1 - k] =
-            isInside ? cutEdge(tip, other, cells) : cutEdge(other, tip, cells);
-    }
-    addTriangle(ends[0], ends[1], ends[1] + 1);
-    addTriangle(ends[0], ends[1] + 1, ends[0] + 1);
-}
-
 void MarchingTets::addTriangle(label a, label b, label c)
 {
     triangles_.append(triFace(a, b, c));
@@ -291,6 +253,20 @@ bool MarchingTets::splitsAtFirst(const FixedList<label, 4>& q) const
     return min(key(0), key(2)) < min(key(1), key(3));
 }
 
+label MarchingTets::loneOf(const FixedList<Vertex, 3>& triangle)
+{
+    for (label k = 0; k < 3; ++k)
+    {
+        const bool side = inside(triangle[k]);
+        if (inside(triangle[(k + 1) % 3]) != side
+            && inside(triangle[(k + 2) % 3]) != side)
+        {
+            return k;
+        }
+    }
+    return -1;
+}
+
 void MarchingTets::close(const FixedList<Vertex, 3>& triangle, label facei)
 {
     const label lone = loneOf(triangle);
@@ -314,23 +290,6 @@ void MarchingTets::close(const FixedList<Vertex, 3>& triangle, label facei)
         volume += (mostlyIn ? -1 : 1) * volumeTo(corners);
     }
     addBoundary(volume, facei);
-}
-
-void MarchingTets::closePart(const FixedList<Vertex, 2>& part, label facei)
-{
-    const bool same = inside(part[0]) == inside(part[1]);
-    scalar share = inside(part[0]) ? 1 : 0;
-    if (!same)
-    {
-        const Vertex& in = part[inside(part[0]) ? 0 : 1];
-        const Vertex& out = part[inside(part[0]) ? 1 : 0];
-        share = cutShare(in, out);
-        markBoundary(in, out, facei - complex_.nInternalFaces());
-    }
-    const point& inEnd = part[inside(part[0]) ? 0 : 1].position;
-    const point& outEnd = part[inside(part[0]) ? 1 : 0].position;
-    const point middle = inEnd + 0.5 * share * (outEnd - inEnd);
-    addBoundary(volumeTo(middle, 0.5 * share * complex_.faceAreas()[facei]), facei);
 }
 
 void MarchingTets::closeWhole(label facei)

@@ -48,6 +48,34 @@ pointNormals(const InterfaceMesh& mesh, const std::optional<PlaneSection>& secti
     return normals;
 }
 
+void alignAcross(InterfaceMesh& mesh, const PlaneSection& section)
+{
+    const labelList pairs(pairsAcross(mesh, section));
+    forAll(mesh.triangles, trianglei)
+    {
+        const triFace& t = mesh.triangles[trianglei];
+        for (label k = 0; k < 3; ++k)
+        {
+            const label l = (k + 1) % 3;
+            if (pairs[t[k]] != t[l])
+            {
+                continue;
+            }
+            point& x = mesh.origins[mesh.originCorners[trianglei][k]];
+            point& y = mesh.origins[mesh.originCorners[trianglei][l]];
+            const vector mean = 0.5 * (section.inPlane(x) + section.inPlane(y));
+            x = mean + (x & section.normal) * section.normal;
+            y = mean + (y & section.normal) * section.normal;
+            const label p = mesh.corners[trianglei][k], q = mesh.corners[trianglei][l];
+            if (p >= 0 && q >= 0)
+            {
+                scalar &u = mesh.parameters[p].x(), &v = mesh.parameters[q].x();
+                u = v = 0.5 * (u + v);
+            }
+        }
+    }
+}
+
 labelList stripMates(
     const InterfaceMesh& mesh, const labelList& pairs, const PlaneSection& section
 )
