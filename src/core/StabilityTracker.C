@@ -7,6 +7,7 @@
 #include "core/parametrization/FlatteningMethods.H"
 #include "core/ranks/ExactSum.H"
 #include "core/reconstruction/NoiseFloor.H"
+#include "core/surface/Ribbon.H"
 
 #include <algorithm>
 #include <sstream>
@@ -189,18 +190,19 @@ void StabilityTracker::startSurface(const SurfacePiece& interface)
     const Comparison::Setting setting(this->setting());
     {
         const Components components(
-            surroundings(interface, setting), setting.referencePoint(), exchange_
+            surroundings(interface, setting), setting.referencePoint(), exchange_,
+            setting.section()
         );
         const List<bool> all(interface.mesh.triangles.size(), true);
         result_.parametrization = parametrize(
             wholeComponents(interface, components, all, exchange_).piece,
-            options_.parametrization, exchange_
+            options_.parametrization, exchange_, complex().whole().section
         );
     }
     SurfacePiece& surface = result_.parametrization->surface;
     surface = join({surface}).piece; // points in the order of triangles
     PointMarks marks;
-    marks.areas = surface.mesh.pointAreas();
+    marks.areas = pointAreasInMesh(surface.mesh, setting.section());
     marks.isPrimary = List<bool>(surface.mesh.points.size(), true);
     timeSurface_.seedRemeshed(surface, marks, latest_->time, complex(), exchange_);
     surface = timeSurface_.piece();
@@ -208,8 +210,9 @@ void StabilityTracker::startSurface(const SurfacePiece& interface)
 
     const SurfaceHalo halo(surroundings(surface, setting));
     const SmallScales scales(smallScales(
-        surface, halo, Components(halo, setting.referencePoint(), exchange_), latest_,
-        setting.run
+        surface, halo,
+        Components(halo, setting.referencePoint(), exchange_, setting.section()),
+        latest_, setting.run
     ));
     timeSurface_.setSmallScales(
         halo.toOwned(scales.thin), halo.toOwned(scales.subGrid)
@@ -268,7 +271,8 @@ void StabilityTracker::computeStatistics(const Extracted& extracted)
     statistics.nMerged = result_.transfer.nMerged;
     statistics.nSplit = result_.transfer.nSplit;
     addSurfaceStatistics(
-        statistics, result_.interface, result_.timeSurface, result_.epsilon, exchange_
+        statistics, result_.interface, result_.timeSurface, result_.epsilon, exchange_,
+        complex().whole().section
     );
     addDisplacement(
         statistics, result_.timeSurface, timeSurface_.piece().startPositions, exchange_

@@ -47,7 +47,7 @@ void TimeSurface::send(
         Pathline path;
         path.id = pointi;
         path.home = exchange.rank();
-        path.x = path.start = mesh.points[pointi];
+        path.x = path.start = complex.whole().inMiddle(mesh.points[pointi]);
         path.isPrimary = marks_.isPrimary[pointi];
         path.weight = path.isPrimary ? marks_.areas[pointi] : 0;
         path.time = time;
@@ -120,6 +120,7 @@ TimeSurface::displacement(const CellComplex& complex, const Exchange& exchange) 
 
 void TimeSurface::collectPoints(const CellComplex& complex, const Exchange& exchange)
 {
+    const std::optional<PlaneSection>& section = complex.whole().section;
     std::vector<DynamicList<Arrival>> toRanks(exchange.nRanks());
     for (const Pathline& path : pathlines_)
     {
@@ -137,7 +138,11 @@ void TimeSurface::collectPoints(const CellComplex& complex, const Exchange& exch
     {
         for (const Arrival& arrival : arrivals)
         {
-            piece_.mesh.points[arrival.id] = arrival.x;
+            const point& old = piece_.mesh.points[arrival.id];
+            piece_.mesh.points[arrival.id] =
+                section ? section->inPlane(arrival.x)
+                              + (old & section->normal) * section->normal
+                        : arrival.x;
             left_[arrival.id] = arrival.left;
             if (arrival.cell >= 0)
             {

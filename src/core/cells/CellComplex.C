@@ -76,21 +76,25 @@ CellComplex::CellComplex(CellComplexInput input) : input_(std::move(input))
     {
         throw BadInput("The mesh has no cells: nothing can be analysed on it.");
     }
+    bounds_ = boundBox(points(), false);
+    const bool isWhole = !input_.whole;
+    if (isWhole)
+    {
+        input_.whole.emplace();
+        input_.whole->bounds = bounds_;
+    }
     computeAddressing();
     computeFaces();
     computeCells();
     chooseTetBases();
-    bounds_ = boundBox(points(), false);
     bins_ = CellBins(*this);
     countRings();
     forAll(input_.globalCells, celli)
     {
         localCells_.insert(input_.globalCells[celli], celli);
     }
-    if (!input_.whole)
+    if (isWhole)
     {
-        input_.whole.emplace();
-        input_.whole->bounds = bounds_;
         input_.whole->tetrahedra = shareOfTetrahedra(cellFaces_);
     }
 }
@@ -204,7 +208,8 @@ void CellComplex::addressBoundary()
         {
             for (label facei = nInternalFaces(); facei < nFaces(); ++facei)
             {
-                if (kinds()[facei - nInternalFaces()] != BoundaryKind::coupledUnknown)
+                if (kinds()[facei - nInternalFaces()] != BoundaryKind::coupledUnknown
+                    && !isEnd(facei))
                 {
                     for (const label pointi : faces()[facei])
                     {
@@ -240,6 +245,8 @@ void CellComplex::computeFaces()
     for (label facei = 0; facei < nFaces(); ++facei)
     {
         faceGeometry(faces()[facei], points(), faceCentres_[facei], faceAreas_[facei]);
+        faceCentres_[facei] =
+            isEnd(facei) ? faceCentres_[facei] : whole().inMiddle(faceCentres_[facei]);
     }
 }
 
@@ -247,6 +254,7 @@ void CellComplex::computeCells()
 {
     cellVolumes_.setSize(nCells());
     cellSizes_.setSize(nCells());
+    const std::optional<PlaneSection>& section = whole().section;
     for (label celli = 0; celli < nCells(); ++celli)
     {
         const auto& cellFaces = cellFaces_[celli];
@@ -284,8 +292,9 @@ void CellComplex::computeCells()
             );
         }
         cellVolumes_[celli] = volume;
-        cellSizes_[celli] = std::cbrt(volume);
-        cellCentres_[celli] = estimate + moment / volume;
+        cellSizes_[celli] =
+            section ? std::sqrt(volume / section->thickness) : std::cbrt(volume);
+        cellCentres_[celli] = whole().inMiddle(estimate + moment / volume);
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/ranks/ExactSum.H"
 #include "core/surface/InterfaceMotion.H"
+#include "core/surface/Ribbon.H"
 
 #include <algorithm>
 
@@ -169,7 +170,7 @@ TransferResult Comparison::carryOver(const DistributedChart& chart)
             timeSurface_.piece(), target_->topology(), timeSurface_.ownTriangles(),
             exchange
         ),
-        own_};
+        own_, setting_.section()};
     split_ = near_.mesh;
     useLocalCells(split_, setting_.complex());
     TransferResult result;
@@ -210,8 +211,11 @@ ClassifiedSurface Comparison::describeInterface(std::vector<Droplet>& droplets) 
     interface.mesh = own.piece.mesh;
 
     const SurfaceHalo halo(surroundings(own.piece, setting_));
-    const Components components(halo, setting_.referencePoint(), setting_.run.ranks);
-    interface.areas = halo.toOwned(halo.mesh().pointAreas());
+    const std::optional<PlaneSection>& section = setting_.section();
+    const Components components(
+        halo, setting_.referencePoint(), setting_.run.ranks, section
+    );
+    interface.areas = halo.toOwned(pointAreasInMesh(halo.mesh(), section));
     interface.isPrimary = halo.toOwned(halo.primaryPoints());
     interface.components = halo.toOwned(components.ofPoints());
     SmallScales scales(
@@ -249,7 +253,8 @@ ClassifiedSurface describe(
     ));
     forEachMark([&](const char*, const MarkFiles&, const auto& mark)
                 { mark(surface) = halo.toHalo(mark(marks)); });
-    surface.areas = halo.mesh().pointAreas(); // as they are now
+    // As they are now.
+    surface.areas = pointAreasInMesh(halo.mesh(), setting.section());
     const List<bool> left(halo.toHalo(timeSurface.left()));
     forAll(left, pointi)
     {

@@ -4,6 +4,7 @@
 
 #include "core/ranks/Quantiles.H"
 #include "core/ranks/ExactSum.H"
+#include "core/surface/Ribbon.H"
 
 #include <algorithm>
 
@@ -89,7 +90,8 @@ void fillSurvival(
 
 void addInterface(
     Statistics& statistics, const ClassifiedSurface& interface, const Epsilon& epsilon,
-    const scalarField& areas, const Exchange& exchange
+    const scalarField& areas, const Exchange& exchange,
+    const std::optional<PlaneSection>& section
 )
 {
     const InterfaceMesh& mesh = interface.mesh;
@@ -115,7 +117,7 @@ void addInterface(
     }
     forAll(mesh.triangles, trianglei)
     {
-        const scalar area = mag(mesh.areaVector(trianglei));
+        const scalar area = areaInMesh(mesh, trianglei, section);
         sums.add(statistics.area, area);
         sums.add(statistics.parametrizedArea, mesh.parametrized(trianglei) ? area : 0);
         sums.add(nTriangles, 1);
@@ -187,11 +189,11 @@ void fillDriftSpeeds(
 void addSurfaceStatistics(
     Statistics& statistics, const ClassifiedSurface& interface,
     const ClassifiedSurface& timeSurface, const Epsilon& epsilon,
-    const Exchange& exchange
+    const Exchange& exchange, const std::optional<PlaneSection>& section
 )
 {
     const scalarField areas(countedAreas(interface));
-    addInterface(statistics, interface, epsilon, areas, exchange);
+    addInterface(statistics, interface, epsilon, areas, exchange, section);
     fillSurvival(
         statistics.attachedFraction, interface, areas, statistics.area, exchange
     );

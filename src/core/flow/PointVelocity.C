@@ -22,11 +22,12 @@ constexpr scalar dependentSine = 0.1;
 class DistanceMean
 {
 public:
-    explicit DistanceMean(const point& x) : x_(x) {}
+    DistanceMean(const point& x, const WholeMesh& whole) : x_(x), whole_(whole) {}
 
     void add(const point& place, const vector& value)
     {
-        const scalar weight = 1 / max(mag(place - x_), VSMALL);
+        const scalar distance = mag(whole_.inPlane(place - x_));
+        const scalar weight = 1 / max(distance, VSMALL);
         weights_ += weight;
         sum_ += weight * value;
     }
@@ -35,6 +36,7 @@ public:
 
 private:
     point x_;
+    const WholeMesh& whole_;
     scalar weights_ = 0;
     vector sum_{Zero};
 };
@@ -117,8 +119,8 @@ vector PointVelocity::compute(label pointi) const
     const CellComplex& complex = *snapshot_->complex;
     const point& x = complex.points()[pointi];
 
-    DistanceMean open(x);
-    DistanceMean wall(x);
+    DistanceMean open(x, complex.whole());
+    DistanceMean wall(x, complex.whole());
     WallPieces pieces;
     for (const label facei : complex.pointBoundaryFaces()[pointi])
     {
@@ -148,7 +150,7 @@ vector PointVelocity::compute(label pointi) const
     {
         return open.value();
     }
-    DistanceMean cells(x);
+    DistanceMean cells(x, complex.whole());
     for (const label celli : complex.pointCells()[pointi])
     {
         cells.add(complex.cellCentres()[celli], snapshot_->U[celli]);

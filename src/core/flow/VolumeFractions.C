@@ -90,10 +90,10 @@ VolumeFractions::VolumeFractions(const FlowSnapshot& snapshot)
     boundaryFaces =
         extrapolated(*snapshot.complex, cells, clamped(snapshot.boundaryAlphas[0]));
 
-    const scalarField& V = snapshot.complex->cellVolumes();
+    const CellComplex& complex = *snapshot.complex;
     forAll(cells, celli)
     {
-        volume += snapshot.complex->own(celli) ? cells[celli] * V[celli] : 0;
+        volume += complex.own(celli) ? cells[celli] * complex.volumeInMesh(celli) : 0;
     }
 }
 

@@ -6,6 +6,7 @@
 #include "core/parametrization/ChartPacking.H"
 #include "core/parametrization/Patches.H"
 #include "core/parametrization/Remeshing.H"
+#include "core/parametrization/RibbonChart.H"
 #include "core/ranks/ExactSum.H"
 
 #include <algorithm>
@@ -137,6 +138,21 @@ joined(const InterfaceMesh& mesh, const List<Patch>& patches, const List<Piece>&
     return result;
 }
 
+// In two dimensions.
+Piece unrolled(
+    const InterfaceMesh& mesh, const Patch& patch, const PlaneSection& section
+)
+{
+    constexpr scalar stripLength = 0.2; // in mean cell sizes of the patch
+    Piece piece;
+    piece.copy =
+        refinedRibbon(patch.surface, section, stripLength * meanCellSize(mesh, patch));
+    piece.chart = ribbonChart(piece.copy.surface, section);
+    piece.parameters = piece.chart.parameters;
+    piece.chart.fallback = piece.parameters.empty();
+    return piece;
+}
+
 Piece flattened(
     const InterfaceMesh& mesh, const Patch& patch, const Flattening& method,
     scalar edgeLength
@@ -163,9 +179,33 @@ struct ChartPlace
     vector2D corner;
 };
 
-// Places the charts of all ranks, on the master; returns their common scale.
-scalar placeAll(
+// The scales of both parameters, units per metre: one in two dimensions for the length
+// and one for the way across, else the same; zero if there is nothing to scale.
+vector2D packedBoxes(
+    const List<vector2D>& sizes, const std::optional<PlaneSection>& section,
+    List<vector2D>& corners
+)
+{
+    if (!section)
+    {
+        const BoxPacking packing(packBoxes(sizes));
+        corners = packing.corners;
+        return packing.placed ? vector2D(packing.scale, packing.scale) : vector2D(0, 0);
+    }
+    scalarField lengths(sizes.size());
+    forAll(sizes, i)
+    {
+        lengths[i] = sizes[i].x();
+    }
+    const RowPacking packing(packRows(lengths));
+    corners = packing.corners;
+    return vector2D(packing.scale, packing.height / section->thickness);
+}
+
+// Places the charts of all ranks, on the master; returns their common scales.
+vector2D placeAll(
     const std::vector<List<ChartBox>>& boxes,
+    const std::optional<PlaneSection>& section,
     std::vector<DynamicList<ChartPlace>>& places
 )
 {
@@ -190,19 +230,20 @@ scalar placeAll(
     {
         sizes[i] = boxAt(order[i]).size;
     }
-    const BoxPacking packing(packBoxes(sizes));
+    List<vector2D> corners;
+    const vector2D scales = packedBoxes(sizes, section, corners);
     forAll(sizes, i)
     {
-        places[order[i].first()][order[i].second()] = {i, packing.corners[i]};
+        places[order[i].first()][order[i].second()] = {i, corners[i]};
     }
-    return packing.placed ? packing.scale : 0;
+    return scales;
 }
 
-// Moves the charts to their places among those of all ranks. Returns the scale, 0 if
-// there is nothing to scale.
+// Moves the charts to their places among those of all ranks. Returns the scale of the
+// first parameter, 0 if there is nothing to scale.
 scalar packPieces(
     const SurfacePiece& interface, const List<Patch>& patches, List<Piece>& pieces,
-    const Exchange& exchange
+    const std::optional<PlaneSection>& section, const Exchange& exchange
 )
 {
     DynamicList<ChartBox> mine;
@@ -216,26 +257,30 @@ scalar packPieces(
     Packet packet;
     runOnAllRanks(
         exchange,
-        [&] { packet.put(exchange.isMaster() ? placeAll(boxes, places) : scalar(0)); }
+        [&] {
+            packet.put(
+                exchange.isMaster() ? placeAll(boxes, section, places) : vector2D(0, 0)
+            );
+        }
     );
     const List<ChartPlace> here(exchange.exchangeLists(places)[0]);
-    const scalar scale = exchange.fromMaster(packet).get<scalar>();
+    const vector2D scales = exchange.fromMaster(packet).get<vector2D>();
     forAll(pieces, i)
     {
         pieces[i].number = here[i].number;
-        if (scale > 0)
+        if (scales.x() > 0)
         {
-            pieces[i].parameters = moved(pieces[i].parameters, here[i].corner, scale);
+            pieces[i].parameters = moved(pieces[i].parameters, here[i].corner, scales);
         }
     }
-    return scale;
+    return scales.x();
 }
 
 } // namespace
 
 ParametrizationResult parametrize(
     const SurfacePiece& interface, const ParametrizationOptions& options,
-    const Exchange& exchange
+    const Exchange& exchange, const std::optional<PlaneSection>& section
 )
 {
     // An unknown method fails on all ranks, also on those without components.
@@ -252,8 +297,11 @@ ParametrizationResult parametrize(
             forAll(patches, i)
             {
                 Piece& piece = pieces[i];
-                piece =
-                    flattened(interface.mesh, patches[i], *method, options.edgeLength);
+                piece = section
+                            ? unrolled(interface.mesh, patches[i], *section)
+                            : flattened(
+                                interface.mesh, patches[i], *method, options.edgeLength
+                            );
                 result.nCharts += !piece.chart.parameters.empty();
                 result.nFallbacks += piece.chart.fallback;
                 result.nKept += piece.copy.kept;
@@ -266,7 +314,7 @@ ParametrizationResult parametrize(
     result.nFallbacks = exchange.total(result.nFallbacks);
     result.nKept = exchange.total(result.nKept);
     result.remeshingDistance = largest(result.remeshingDistance, exchange);
-    const scalar scale = packPieces(interface, patches, pieces, exchange);
+    const scalar scale = packPieces(interface, patches, pieces, section, exchange);
     result.scale = scale > 0 ? scale : 1;
     result.surface = joined(interface.mesh, patches, pieces);
     return result;

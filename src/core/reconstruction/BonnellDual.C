@@ -2,6 +2,7 @@
 
 #include "core/reconstruction/BonnellDual.H"
 #include "core/reconstruction/MarchingTets.H"
+#include "core/reconstruction/SectionExtraction.H"
 #include "core/cells/CanonicalOrder.H"
 #include "core/flow/VolumeFractions.H"
 
@@ -319,8 +320,16 @@ ReconstructionResult BonnellDual::extract(const FlowSnapshot& snapshot) const
 {
     const VolumeFractions fractions(snapshot);
     MarchingTets tets(*snapshot.complex);
-    DualExtraction(*snapshot.complex, fractions).cutInto(tets);
-    return finish(tets, *snapshot.complex, fractions.volume, options_);
+    const CellComplex& complex = *snapshot.complex;
+    if (complex.whole().section)
+    {
+        cutSection(complex, fractions, SectionMethod::bonnell, labelMax, tets);
+    }
+    else
+    {
+        DualExtraction(complex, fractions).cutInto(tets);
+    }
+    return finish(tets, complex, fractions.volume, options_);
 }
 
 } // namespace Foam::stability

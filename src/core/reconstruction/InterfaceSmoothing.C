@@ -12,6 +12,7 @@ scalar smoothInterface(InterfaceMesh& mesh, const CellComplex& complex, label pa
 {
     TaubinOptions options;
     options.pairs = pairs;
+    options.section = complex.whole().section;
     const vectorField boundaryNormals(SubField<vector>(
         complex.faceAreas(), complex.nBoundaryFaces(), complex.nInternalFaces()
     ));

@@ -2,6 +2,7 @@
 
 #include "core/reconstruction/IsoAlpha.H"
 #include "core/reconstruction/MarchingTets.H"
+#include "core/reconstruction/SectionExtraction.H"
 #include "core/cells/CanonicalOrder.H"
 #include "core/flow/VolumeFractions.H"
 
@@ -290,7 +291,16 @@ ReconstructionResult IsoAlpha::extract(const FlowSnapshot& snapshot) const
     const VolumeFractions fractions(snapshot);
     const CellComplex& complex = *snapshot.complex;
     MarchingTets tets(complex, marginOf(complex, options_));
-    IsoAlphaExtraction(complex, fractions, ringsOf(options_)).cutInto(tets);
+    if (complex.whole().section)
+    {
+        cutSection(
+            complex, fractions, SectionMethod::isoAlpha, ringsOf(options_), tets
+        );
+    }
+    else
+    {
+        IsoAlphaExtraction(complex, fractions, ringsOf(options_)).cutInto(tets);
+    }
     ReconstructionResult result(finish(tets, complex, fractions.volume, options_));
     if (options_.sharpening != Sharpening::none)
     {

@@ -30,7 +30,7 @@ std::optional<PeriodicImages::LinearField> fieldOf(const WholeMesh& whole)
 {
     if (whole.images)
     {
-        return whole.images->invariantField();
+        return whole.section ? std::nullopt : whole.images->invariantField();
     }
     PeriodicImages::LinearField field;
     field.centre = whole.bounds.centre();
@@ -145,14 +145,25 @@ label MarchingTets::cutEdge(
     {
         return found.val();
     }
-    const label pointi = points_.size();
     const point x = in.position + cutShare(in, out) * (out.position - in.position);
+    const label celli = holdingCell(complex_, cells, x);
+    const std::optional<PlaneSection>& section = complex_.whole().section;
+    const label pointi = addPoint(key, section ? section->inLow(x) : x, celli);
+    if (section)
+    {
+        addPoint(key, section->inHigh(x), celli);
+    }
     cuts_.insert(key, pointi);
+    return pointi;
+}
+
+label MarchingTets::addPoint(const edge& key, const point& x, label celli)
+{
     keys_.append(key);
     points_.append(x);
-    cells_.append(holdingCell(complex_, cells, x));
+    cells_.append(celli);
     boundaryFaces_.append(-1);
-    return pointi;
+    return points_.size() - 1;
 }
 
 void MarchingTets::addTriangle(label a, label b, label c)
@@ -246,7 +257,12 @@ scalar MarchingTets::fluxThrough(const FixedList<point, 3>& corners, label facei
 
 scalar MarchingTets::fluxThrough(const point& a, const point& b, const point& c) const
 {
-    return (*field_)((a + b + c) / 3) & (0.5 * ((b - a) ^ (c - a)));
+    const WholeMesh& whole = complex_.whole();
+    const point centre = (a + b + c) / 3;
+    const vector area = 0.5 * ((b - a) ^ (c - a));
+    return whole.section
+               ? whole.section->coneTo(centre, area, whole.bounds.centre()).volume
+               : (*field_)(centre)&area;
 }
 
 // The lowest face, so that the order of the visits does not matter.
@@ -257,8 +273,12 @@ void MarchingTets::markBoundary(
     const auto found = cuts_.cfind(edge(min(in.id, out.id), max(in.id, out.id)));
     if (found.found())
     {
-        label& facei = boundaryFaces_[found.val()];
-        facei = facei < 0 ? boundaryFacei : min(facei, boundaryFacei);
+        const label nSides = complex_.whole().section ? 2 : 1;
+        for (label side = 0; side < nSides; ++side)
+        {
+            label& facei = boundaryFaces_[found.val() + side];
+            facei = facei < 0 ? boundaryFacei : min(facei, boundaryFacei);
+        }
     }
 }
 

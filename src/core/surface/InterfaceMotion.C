@@ -133,12 +133,15 @@ scalar moveInterface(InterfaceMesh& mesh, const CellComplex& complex, vectorFiel
     mesh.points += moves;
     mesh.cells = cells;
     mesh.cellSizes = scalarField(complex.cellSizes(), cells);
+    const std::optional<PlaneSection>& section = complex.whole().section;
+    const auto factor = [&](label trianglei)
+    { return section ? section->factor(mesh.centre(trianglei)) : 1; };
     scalar sum = 0;
     forAll(swept, trianglei)
     {
         const bool own =
             mesh.triangleCells.empty() || complex.own(mesh.triangleCells[trianglei]);
-        sum += own ? swept[trianglei] : 0;
+        sum += own ? swept[trianglei] * factor(trianglei) : 0;
     }
     return sum;
 }

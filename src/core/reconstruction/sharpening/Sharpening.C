@@ -2,6 +2,7 @@
 
 #include "core/reconstruction/sharpening/Sharpening.H"
 
+#include "core/surface/Ribbon.H"
 #include "core/surface/SurfaceTopology.H"
 #include "core/cells/CellStencil.H"
 #include "core/surface/InterfaceMotion.H"
@@ -74,12 +75,12 @@ private:
 
     void findStarts()
     {
-        const vectorField normals = mesh_.pointNormals();
+        const vectorField normals(pointNormals(mesh_, complex_.whole().section));
 #pragma omp parallel for schedule(static) num_threads(nThreads_)
         for (label pointi = 0; pointi < mesh_.points.size(); ++pointi)
         {
             starts_[pointi] = {
-                mesh_.points[pointi], -normals[pointi],
+                complex_.whole().inMiddle(mesh_.points[pointi]), -normals[pointi],
                 spanOf(complex_, mesh_.cells[pointi]), wallsAt(pointi)};
             moves_[pointi].direction = -normals[pointi];
         }
@@ -260,6 +261,18 @@ private:
             }
         }
         std::copy(moved.begin(), moved.end(), moves_.begin());
+        moveAlike();
+    }
+
+    // In two dimensions: both points of a pair.
+    void moveAlike()
+    {
+        const std::optional<PlaneSection>& section = complex_.whole().section;
+        const labelList pairs(section ? pairsAcross(mesh_, *section) : labelList());
+        forAll(pairs, pointi)
+        {
+            moves_[std::max(pointi, pairs[pointi])].total = moves_[pointi].total;
+        }
     }
 
     // Halves the moves around a triangle that they flip, then drops them.
