@@ -41,6 +41,20 @@ label nRings(const TrackerOptions& tracker)
     );
 }
 
+void refuseFiles(const CaseOptions& options)
+{
+    for (const FilesFrom& files : options.files)
+    {
+        if (!files.pattern.empty())
+        {
+            throw BadInput(
+                "The reconstruction fromFiles works on three-dimensional meshes only; "
+                "this one is two-dimensional or a wedge."
+            );
+        }
+    }
+}
+
 void refuseInParallel(const CaseOptions& options, const TrackerOptions& tracker)
 {
     for (const FilesFrom& files : options.files)
@@ -77,6 +91,10 @@ CaseSnapshots::CaseSnapshots(
       flux_(mesh, options.phi, options.velocity, source),
       surfaces_(mesh.time(), options.files), cells_(mesh, messages, nRings(tracker))
 {
+    if (cells_.section())
+    {
+        refuseFiles(options);
+    }
     if (messages_.nRanks() > 1)
     {
         refuseInParallel(options, tracker);
