@@ -33,6 +33,20 @@ label nRings(const TrackerOptions& tracker)
     return n;
 }
 
+void refuseFiles(const CaseOptions& options)
+{
+    for (const FilesFrom& files : options.files)
+    {
+        if (!files.pattern.empty())
+        {
+            throw BadInput(
+                "The reconstruction fromFiles works on three-dimensional meshes only; "
+                "this one is two-dimensional or a wedge."
+            );
+        }
+    }
+}
+
 } // namespace
 
 CaseSnapshots::CaseSnapshots(
@@ -47,6 +61,10 @@ CaseSnapshots::CaseSnapshots(
       surfaces_(mesh.time(), options.files), nRings_(nRings(tracker)),
       cells_(std::make_unique<MeshSnapshots>(mesh, messages, nRings_))
 {
+    if (cells_->section())
+    {
+        refuseFiles(options);
+    }
 }
 
 void CaseSnapshots::require(const instantList& times)

@@ -29,17 +29,44 @@ Field<Type> boundaryValues(const GeometricField<Type, PatchField, GeoMesh>& fiel
     return values;
 }
 
-// Without what flows across a section.
-vectorField inPlane(vectorField U, const CellComplex& complex)
+// The distances of places in a mesh from the axis of the wedge that it is [m].
+scalarField radii(const PlaneSection& section, const UList<point>& places)
 {
-    if (complex.whole().section)
+    scalarField result(places.size());
+    forAll(result, i)
     {
-        for (vector& value : U)
+        result[i] = section.radius(places[i]);
+    }
+    return result;
+}
+
+// Those of the complex over those of the mesh.
+scalarField
+stretches(const PlaneSection& section, const UList<point>& places, scalarField radii)
+{
+    forAll(radii, i)
+    {
+        radii[i] = radii[i] > VSMALL ? section.radius(places[i]) / radii[i] : 1;
+    }
+    return radii;
+}
+
+// The velocity in the section: without what flows across; and from the axis it is that
+// at the place in the complex, to which it is stretched, as it vanishes on the axis.
+void moveToSection(
+    vectorField& U, const CellComplex& complex, const scalarField& stretches
+)
+{
+    const std::optional<PlaneSection>& section = complex.whole().section;
+    const vector outward(section ? section->axis ^ section->normal : vector::zero);
+    forAll(U, i)
+    {
+        U[i] = complex.whole().inPlane(U[i]);
+        if (!stretches.empty())
         {
-            value = complex.whole().section->inPlane(value);
+            U[i] += (stretches[i] - 1) * (U[i] & outward) * outward;
         }
     }
-    return U;
 }
 
 // At walls and symmetries the volume fraction is that of the cell. A patch of a contact
@@ -93,6 +120,23 @@ MeshSnapshots::MeshSnapshots(
 )
     : messages_(messages), cells_(mesh, messages, nRings, walls)
 {
+    if (!section() || !section()->wedge)
+    {
+        return;
+    }
+    const CellComplex& complex = *cells_.complex();
+    const label nBoundary = complex.nBoundaryFaces(), first = complex.nInternalFaces();
+    const SubList<point> boundary(complex.faceCentres(), nBoundary, first);
+    const SubList<point> meshBoundary(
+        mesh.faceCentres(), mesh.nFaces() - mesh.nInternalFaces(), mesh.nInternalFaces()
+    );
+    cellStretches_ = stretches(
+        *section(), complex.cellCentres(),
+        cells_.cellValues(radii(*section(), mesh.cellCentres()))
+    );
+    boundaryStretches_ = stretches(
+        *section(), boundary, cells_.boundaryValues(radii(*section(), meshBoundary))
+    );
 }
 
 std::shared_ptr<FlowSnapshot> MeshSnapshots::take(
@@ -107,8 +151,10 @@ std::shared_ptr<FlowSnapshot> MeshSnapshots::take(
     snapshot->alphas.setSize(1, cells_.cellValues(alpha.primitiveField()));
     snapshot->boundaryAlphas.setSize(1, cells_.boundaryValues(boundaryValues(alpha)));
     correctAlpha(snapshot->boundaryAlphas[0], snapshot->alphas[0], complex);
-    snapshot->U = cells_.cellValues(inPlane(U.primitiveField(), complex));
-    snapshot->boundaryU = cells_.boundaryValues(inPlane(boundaryValues(U), complex));
+    snapshot->U = cells_.cellValues(U.primitiveField());
+    snapshot->boundaryU = cells_.boundaryValues(boundaryValues(U));
+    moveToSection(snapshot->U, complex, cellStretches_);
+    moveToSection(snapshot->boundaryU, complex, boundaryStretches_);
     correctVelocity(snapshot->boundaryU, snapshot->U, complex);
     std::string failure;
     try

@@ -151,13 +151,6 @@ void RankCells::matchFaces(const OwnPiece& piece, const Rows& cellFaces)
     }
 }
 
-// It lies in one of the two planes of a section.
-bool RankCells::isEnd(label facei) const
-{
-    const vector& area = complex_->faceAreas()[facei];
-    return mag(area & complex_->whole().section->normal) > 0.5 * mag(area);
-}
-
 scalarField RankCells::fluxes(const UList<scalar>& own) const
 {
     const std::optional<PlaneSection>& section = complex_->whole().section;
@@ -165,7 +158,7 @@ scalarField RankCells::fluxes(const UList<scalar>& own) const
     forAll(values, facei)
     {
         const label meshFacei = meshFaces_[facei];
-        if (meshFacei >= 0 && !(section && isEnd(facei)))
+        if (meshFacei >= 0 && !complex_->isEnd(facei))
         {
             const scalar share =
                 section ? section->factor(complex_->faceCentres()[facei]) : 1;

@@ -9,14 +9,15 @@
 
 #include <vtkCellData.h>
 #include <vtkDataSetSurfaceFilter.h>
-#include <vtkDoubleArray.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
+#include <vtkOpenFOAMReader.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <iostream>
 #include <regex>
 #include <vector>
@@ -47,28 +48,77 @@ bool isAlpha(const std::string& name)
            && !ends("Mean");
 }
 
-std::string alphaOf(const fs::path& caseFolder, vtkOpenFOAMReader& reader)
+// The folder of a time; empty if there is none.
+fs::path timeFolder(const fs::path& caseFolder, double time)
 {
-    const std::string asked = firstMatch(
-        caseFolder / "system" / "interfaceStabilityDict",
-        R"((?:^|\s)alpha\s+([^\s;]+);)"
-    );
-    const std::string phase = firstMatch(
-        caseFolder / "constant" / "transportProperties", R"(\bphases\s*\(\s*(\w+))"
-    );
-    if (!asked.empty() || !phase.empty())
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(caseFolder, none))
     {
-        return asked.empty() ? "alpha." + phase : asked;
-    }
-    std::vector<std::string> found;
-    for (int i = 0; i < reader.GetNumberOfCellArrays(); ++i)
-    {
-        if (isAlpha(reader.GetCellArrayName(i)))
+        const std::string name = entry.path().filename();
+        char* end = nullptr;
+        const double value = std::strtod(name.c_str(), &end);
+        const double near = 1e-6 * std::max(1e-3, std::abs(time));
+        if (!name.empty() && !*end && std::abs(value - time) <= near
+            && entry.is_directory())
         {
-            found.push_back(reader.GetCellArrayName(i));
+            return entry.path();
         }
     }
-    return found.size() == 1 ? found[0] : "";
+    return {};
+}
+
+// A case with the same mesh and one field at one time: VTK's reader takes `alpha.orig`
+// for `alpha` where both are there.
+class SingleField
+{
+public:
+    SingleField(const fs::path& caseFolder, const fs::path& field)
+    {
+        std::string name = fs::temp_directory_path() / "interfaceStabilityView.XXXXXX";
+        if (!::mkdtemp(name.data()))
+        {
+            return;
+        }
+        path_ = name;
+        std::error_code ignored;
+        const fs::path from = fs::absolute(caseFolder), file = fs::absolute(field);
+        const fs::path time = path_ / file.parent_path().filename();
+        fs::create_directory(time, ignored);
+        fs::create_directory_symlink(from / "system", path_ / "system", ignored);
+        fs::create_directory_symlink(from / "constant", path_ / "constant", ignored);
+        fs::create_symlink(file, time / file.filename(), ignored);
+    }
+    ~SingleField()
+    {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    SingleField(const SingleField&) = delete;
+    void operator=(const SingleField&) = delete;
+
+    fs::path control() const { return path_ / "system" / "controlDict"; }
+
+private:
+    fs::path path_;
+};
+
+vtkSmartPointer<vtkUnstructuredGrid>
+readCells(const fs::path& control, double time, const std::string& alpha)
+{
+    vtkNew<vtkOpenFOAMReader> reader;
+    reader->SetFileName(control.c_str());
+    reader->UpdateInformation();
+    reader->DisableAllPatchArrays();
+    reader->SetPatchArrayStatus("internalMesh", 1);
+    reader->DisableAllCellArrays();
+    reader->SetCellArrayStatus(alpha.c_str(), 1);
+    reader->CreateCellToPointOff();
+    reader->SetTimeValue(time);
+    reader->Update();
+    auto* blocks = reader->GetOutput();
+    return blocks && blocks->GetNumberOfBlocks() > 0
+               ? vtkUnstructuredGrid::SafeDownCast(blocks->GetBlock(0))
+               : nullptr;
 }
 
 // From the background where there is none of the fluid to its colour.
@@ -93,76 +143,64 @@ vtkSmartPointer<vtkUnsignedCharArray> coloursOf(vtkDataArray& alpha)
 
 } // namespace
 
-CaseFluid::CaseFluid(const fs::path& caseFolder)
-{
-    const fs::path control = caseFolder / "system" / "controlDict";
-    std::error_code ignored;
-    if (caseFolder.empty() || !fs::exists(control, ignored))
-    {
-        return;
-    }
-    reader_ = vtkSmartPointer<vtkOpenFOAMReader>::New();
-    reader_->SetFileName(control.c_str());
-    reader_->UpdateInformation();
-    alpha_ = alphaOf(caseFolder, *reader_);
-    reader_->DisableAllPatchArrays();
-    reader_->SetPatchArrayStatus("internalMesh", 1);
-    reader_->DisableAllPointArrays();
-    reader_->DisableAllLagrangianArrays();
-    reader_->DisableAllCellArrays();
-    reader_->SetCellArrayStatus(alpha_.c_str(), 1);
-    reader_->CreateCellToPointOff();
-}
+CaseFluid::CaseFluid(const fs::path& caseFolder) : case_(caseFolder) {}
 
-bool CaseFluid::hasTime(double time)
+// The file of the volume fraction, whose name may end in .gz; empty if there is none.
+fs::path CaseFluid::alphaAt(double time) const
 {
-    vtkDoubleArray* times = reader_ ? reader_->GetTimeValues() : nullptr;
-    for (vtkIdType i = 0; times && i < times->GetNumberOfTuples(); ++i)
+    const fs::path folder = timeFolder(case_, time);
+    std::string name = firstMatch(
+        case_ / "system" / "interfaceStabilityDict", R"((?:^|\s)alpha\s+([^\s;]+);)"
+    );
+    if (name.empty())
     {
-        if (std::abs(times->GetValue(i) - time)
-            <= 1e-6 * std::max(1e-3, std::abs(time)))
+        name = firstMatch(
+            case_ / "constant" / "transportProperties", R"(\bphases\s*\(\s*(\w+))"
+        );
+        name = name.empty() ? "" : "alpha." + name;
+    }
+    std::vector<fs::path> found;
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(folder, none))
+    {
+        const fs::path file = entry.path().filename();
+        const std::string field = file.extension() == ".gz" ? file.stem() : file;
+        if (name.empty() ? isAlpha(field) : field == name)
         {
-            reader_->SetTimeValue(times->GetValue(i));
-            return true;
+            found.push_back(entry.path());
         }
     }
-    return false;
+    return found.size() == 1 ? found[0] : fs::path();
 }
 
 vtkSmartPointer<vtkPolyData> CaseFluid::shades(double time, const vtkVector3d& normal)
 {
-    vtkDataArray* alpha = nullptr;
-    vtkNew<vtkDataSetSurfaceFilter> surface;
-    if (!alpha_.empty() && hasTime(time))
+    const fs::path file = alphaAt(time);
+    auto faces = vtkSmartPointer<vtkPolyData>::New();
+    if (!file.empty())
     {
-        reader_->Update();
-        auto* mesh = vtkUnstructuredGrid::SafeDownCast(
-            vtkMultiBlockDataSet::SafeDownCast(reader_->GetOutput())->GetBlock(0)
-        );
-        if (mesh && mesh->GetCellData()->GetArray(alpha_.c_str()))
+        const SingleField field(case_, file);
+        const fs::path name = file.filename();
+        const std::string alpha = name.extension() == ".gz" ? name.stem() : name;
+        const auto cells = readCells(field.control(), time, alpha);
+        vtkDataArray* values =
+            cells ? cells->GetCellData()->GetArray(alpha.c_str()) : nullptr;
+        if (values)
         {
-            surface->SetInputData(mesh);
+            cells->GetCellData()->SetScalars(coloursOf(*values));
+            vtkNew<vtkDataSetSurfaceFilter> surface;
+            surface->SetInputData(cells);
             surface->Update();
-            alpha = surface->GetOutput()->GetCellData()->GetArray(alpha_.c_str());
+            faces = facingFaces(*surface->GetOutput(), normal);
         }
     }
     const std::string error = takeError();
-    if (!alpha || !error.empty())
+    if (!told_ && (faces->GetNumberOfPolys() == 0 || !error.empty()))
     {
-        if (!told_)
-        {
-            std::cerr << "Warning: at time " << time << " the case has no "
-                      << (alpha_.empty() ? "volume fraction" : alpha_)
-                      << " that can be read; the fluid is not shaded. " << error
-                      << '\n';
-        }
         told_ = true;
-        return vtkSmartPointer<vtkPolyData>::New();
+        std::cerr << "Warning: the case has no volume fraction at time " << time
+                  << " that can be read; the fluid is not shaded. " << error << '\n';
     }
-    const auto faces = facingFaces(*surface->GetOutput(), normal);
-    faces->GetCellData()->SetScalars(
-        coloursOf(*faces->GetCellData()->GetArray(alpha_.c_str()))
-    );
     return faces;
 }
 

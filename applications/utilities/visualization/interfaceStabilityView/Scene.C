@@ -238,13 +238,10 @@ void Scene::showOutline()
         renderer_->AddActor(boxActor(boundary_.box, width));
         return;
     }
-    const auto show = [&](vtkPolyData& faces, double broad)
-    {
-        const auto lines = sectionLines(faces, *normal_);
-        renderer_->AddActor(linesActor(*flattened(*lines, *normal_, height), broad));
-    };
-    show(*boundary_.outer, width);
-    show(*boundary_.allWalls, 3 * width);
+    const auto show = [&](vtkPolyData& lines, double broad)
+    { renderer_->AddActor(linesActor(*flattened(lines, *normal_, height), broad)); };
+    show(*outlineOf(*boundary_.outer, *normal_), width);
+    show(*sectionLines(*boundary_.allWalls, *normal_), 3 * width);
 }
 
 // Laid flat: the fluid at the height 0, then the outline, the interface, the particles.

@@ -4,10 +4,11 @@
 
 #include "Surface.H"
 
-#include <vtkBoundingBox.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkCleanPolyData.h>
 #include <vtkDataArray.h>
+#include <vtkFeatureEdges.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
@@ -142,6 +143,21 @@ vtkSmartPointer<vtkPolyData> sectionLines(vtkPolyData& faces, const vtkVector3d&
     }
     result->SetLines(lines);
     return result;
+}
+
+vtkSmartPointer<vtkPolyData> outlineOf(vtkPolyData& faces, const vtkVector3d& normal)
+{
+    vtkNew<vtkCleanPolyData> joined; // patches share no points in VTK's reader
+    joined->SetInputData(facingFaces(faces, normal));
+    vtkNew<vtkFeatureEdges> edges;
+    edges->SetInputConnection(joined->GetOutputPort());
+    edges->BoundaryEdgesOn();
+    edges->FeatureEdgesOff();
+    edges->NonManifoldEdgesOff();
+    edges->ManifoldEdgesOff();
+    edges->ColoringOff();
+    edges->Update();
+    return edges->GetOutput();
 }
 
 // The ribbon stands on the plane, so its normals are those of the line.
