@@ -29,9 +29,9 @@ public:
         const point& x, scalar time, CellHint& hint, CellHint& earlierHint
     ) const override
     {
-        VelocitySample result =
-            sharesComplex() ? forward_.sample(x, -time, hint, earlierHint)
-                            : forward_.sample(x, -time, earlierHint, hint);
+        VelocitySample result = sharesComplex()
+                                    ? forward_.sample(x, -time, hint, earlierHint)
+                                    : forward_.sample(x, -time, earlierHint, hint);
         result.U = -result.U;
         return result;
     }
@@ -78,6 +78,11 @@ void VelocityHistory::add(std::shared_ptr<const PointVelocity> next)
         }
         stride_ *= 2;
     }
+}
+
+void VelocityHistory::replaceFirst(std::shared_ptr<const PointVelocity> first)
+{
+    kept_.front() = std::move(first);
 }
 
 std::vector<std::unique_ptr<const Velocity>> VelocityHistory::reversed() const

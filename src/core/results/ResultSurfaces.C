@@ -20,8 +20,8 @@ struct SplitPoints
     List<triFace> triangles; // of output points
 };
 
-// The display corner on a swatch, from the index of p or none: negative, and even on that
-// of what attached. So it is not welded to tracked triangles, yet p stays known.
+// The display corner on a swatch, from the index of p or none: negative, and even on
+// that of what attached. So it is not welded to tracked triangles, yet p stays known.
 label onSwatch(label corner, bool entered)
 {
     return -2 - 2 * (max(corner, label(-1)) + 1) - entered;
@@ -35,9 +35,9 @@ label trueCorner(label corner)
 
 vector2D texturePlace(const InterfaceMesh& mesh, label corner)
 {
-    return corner >= 0        ? mesh.parameters[corner]
+    return corner >= 0       ? mesh.parameters[corner]
            : corner % 2 == 0 ? Swatches::attached()
-                              : Swatches::entered();
+                             : Swatches::entered();
 }
 
 SplitPoints split(const InterfaceMesh& mesh, const List<CornerIndices>& corners)

@@ -28,7 +28,8 @@ scalar crossedLength(label gone, label stayed, const Crossings& crossings)
 scalar crossedShare(const triFace& triangle, const Crossings& crossings)
 {
     const bool crossed[3] = {
-        crossings.at(triangle[0]), crossings.at(triangle[1]), crossings.at(triangle[2])};
+        crossings.at(triangle[0]), crossings.at(triangle[1]),
+        crossings.at(triangle[2])};
     const label nCrossed = crossed[0] + crossed[1] + crossed[2];
     if (nCrossed % 3 == 0)
     {

@@ -71,11 +71,11 @@ void ProgressReport::showProgress(
     {
         line << " of " << nExpected_;
     }
-    line << ", time " << timeName << " s: " << s.nVertices << " vertices, "
-         << shares(s) << s.detachedArea() << " m2 detached, " << s.nParticles
-         << " particles; moved " << s.displacement << " cells (largest "
-         << s.largestDisplacement << "), epsilon/interval " << s.smallestVisibleDrift()
-         << " m/s, noise floor " << s.noiseFloor << " cells; " << seconds << " s";
+    line << ", time " << timeName << " s: " << s.nVertices << " vertices, " << shares(s)
+         << s.detachedArea() << " m2 detached, " << s.nParticles << " particles; moved "
+         << s.displacement << " cells (largest " << s.largestDisplacement
+         << "), epsilon/interval " << s.smallestVisibleDrift() << " m/s, noise floor "
+         << s.noiseFloor << " cells; " << seconds << " s";
     if (nExpected_ > nClassified_)
     {
         const scalar left = seconds / nClassified_ * (nExpected_ - nClassified_);
@@ -90,7 +90,8 @@ void ProgressReport::showDetails(const Classification& c) const
     if (s.nTriangles == 0 && s.detachedArea() + s.leftArea > 0)
     {
         Info << "    there is no interface any more: of the last one " << s.leftArea
-             << " m2 left the domain and " << s.detachedArea() << " m2 detached" << endl;
+             << " m2 left the domain and " << s.detachedArea() << " m2 detached"
+             << endl;
     }
     else if (s.nTriangles == 0)
     {
@@ -117,6 +118,12 @@ void ProgressReport::showTroubles(const Classification& c, const word& timeName)
         Info << "interfaceStability: at time " << timeName << " s "
              << c.parametrization->nFallbacks << " of " << c.parametrization->nCharts
              << " charts were flattened by the fallback tutte" << endl;
+    }
+    if (c.impulsiveStart)
+    {
+        Info << "interfaceStability: at the first time the fluid is at rest, but the "
+             << "interface moved as if it had the velocity of the second time from the "
+             << "start: that is taken for the first interval" << endl;
     }
     if (c.nFailedCells > 0)
     {

@@ -19,17 +19,15 @@ const shapes::Flow unsteady = [](const point& x, scalar time)
 
 } // namespace
 
-// As many as are added there and back again, thinned from the sixth on; the flow is linear
-// in time, so that thinning changes little.
+// As many as are added there and back again, thinned from the sixth on; the flow is
+// linear in time, so that thinning changes little.
 TEST(VelocityHistory, theWayBackLeadsToTheStart)
 {
     const auto complex = shapes::box(shapes::channel(6, BoundaryKind::open));
     for (const label n : {1, 2, 4, 5, 6, 7, 8, 9, 16, 23})
     {
         const auto at = [&](label i)
-        {
-            return shapes::sampledVelocity(complex, unsteady, 3 + scalar(i) / n);
-        };
+        { return shapes::sampledVelocity(complex, unsteady, 3 + scalar(i) / n); };
         VelocityHistory history;
         EXPECT_TRUE(history.empty());
         history.begin(at(0));
