@@ -428,10 +428,11 @@ TEST(StabilityTracker, whatLeavesIsNeitherStableNorDetached)
         );
     };
     tracker.start(at(0.877, 0));
-    tracker.classify();
+    const scalar area = tracker.classify().statistics.area;
+    EXPECT_NEAR(area, 1, 0.02);
     tracker.advance(at(1.077, 1));
     const Statistics& statistics = tracker.classify().statistics;
-    EXPECT_NEAR(statistics.leftArea, 1, 1e-9);
+    EXPECT_NEAR(statistics.leftArea, area, 1e-9);
     EXPECT_EQ(statistics.detachedElsewhere + statistics.detachedNearWall, 0);
     EXPECT_EQ(statistics.area, 0);
     EXPECT_EQ(tracker.particles().here().size(), 0);
@@ -453,7 +454,9 @@ TEST(StabilityTracker, whatComesInIsNotAttached)
     for (const label nAdvances : {1, 9})
     {
         const SerialExchange exchange;
-        StabilityTracker tracker(options(), exchange);
+        TrackerOptions sharp = options();
+        sharp.reconstruction.sharpening = Sharpening::automatic;
+        StabilityTracker tracker(sharp, exchange);
         tracker.start(snapshot(complex, water, U, 0));
         tracker.classify();
         for (label step = 1; step <= 3; ++step)
@@ -477,14 +480,22 @@ TEST(StabilityTracker, whatComesInIsNotAttached)
             EXPECT_EQ(s.keptFraction(), 1);
             EXPECT_EQ(result.interface.stability.find(Stability::attached), -1);
             EXPECT_NE(result.interface.stability.find(Stability::entered), -1);
+            // Nothing is black in a picture; what lost p is what came in.
             const ClassifiedSurface& m = result.interface;
+            scalar without = 0;
             forAll(m.mesh.triangles, trianglei)
             {
-                const triFace& t = m.mesh.triangles[trianglei];
-                const bool outside =
-                    m.fromOutside[t[0]] || m.fromOutside[t[1]] || m.fromOutside[t[2]];
-                EXPECT_EQ(outside, !m.mesh.parametrized(trianglei));
+                if (!m.mesh.parametrized(trianglei))
+                {
+                    const triFace& t = m.mesh.triangles[trianglei];
+                    without += mag(m.mesh.areaVector(trianglei));
+                    EXPECT_TRUE(
+                        m.fromOutside[t[0]] || m.fromOutside[t[1]]
+                        || m.fromOutside[t[2]]
+                    );
+                }
             }
+            EXPECT_NEAR(without, step * way, step * 0.5 / box.n.x());
         }
     }
 }

@@ -15,7 +15,7 @@ namespace
 
 // Turns and speeds up linearly in time.
 const shapes::Flow unsteady = [](const point& x, scalar time)
-{ return vector(0.3, 0.1, 0.2) + time * vector(0.4, -0.3 * x.x(), 0.1); };
+{ return vector(0.4, 0.1, 0.2) + (time - 3) * vector(0.4, -0.3 * x.x(), 0.1); };
 
 } // namespace
 
