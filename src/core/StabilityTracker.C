@@ -133,8 +133,21 @@ void StabilityTracker::advance(std::shared_ptr<const FlowSnapshot> snapshot)
     {
         const ScopedTimer watch(timings_.advection);
         enter(Phase::advection);
+        if (nClassified_ == 1 && latest_->time == lastClassified_)
+        {
+            impulsiveStart_.consider(
+                timeSurface_, *latestVelocity_, *velocity, options_.wallVelocity,
+                exchange_
+            );
+        }
         surfaceCounts_ +=
             timeSurface_.advance(interval, options_.integration, complex(), exchange_);
+        if (impulsiveStart_.isOpen())
+        {
+            impulsiveStart_.advance(
+                latestVelocity_, velocity, options_.integration, complex(), exchange_
+            );
+        }
     }
     {
         const ScopedTimer watch(timings_.particles);
@@ -166,52 +179,17 @@ ExtractedSurface StabilityTracker::extract()
     );
 }
 
-// Step 1 of the method (paper 4.2): the first interface there is gets p, and T starts
-// from its flattened copy.
-void StabilityTracker::startSurface(const SurfacePiece& interface)
-{
-    enter(Phase::parametrization);
-    const ScopedTimer watch(timings_.parametrization);
-    const Comparison::Setting setting(this->setting());
-    {
-        const Components components(
-            surroundings(interface, setting), setting.referencePoint(), exchange_,
-            setting.section()
-        );
-        const List<bool> all(interface.mesh.triangles.size(), true);
-        result_.parametrization = parametrize(
-            wholeComponents(interface, components, all, exchange_).piece,
-            options_.parametrization, exchange_, complex().whole().section
-        );
-    }
-    SurfacePiece& surface = result_.parametrization->surface;
-    surface = join({surface}).piece; // points in the order of triangles
-    PointMarks marks;
-    marks.areas = pointAreasInMesh(surface.mesh, setting.section());
-    marks.isPrimary = List<bool>(surface.mesh.points.size(), true);
-    timeSurface_.seedRemeshed(surface, marks, latest_->time, complex(), exchange_);
-    surface = timeSurface_.piece();
-    chart_ = DistributedChart(surface, complex().whole(), exchange_);
-
-    const SurfaceHalo halo(surroundings(surface, setting));
-    const SmallScales scales(smallScales(
-        surface, halo,
-        Components(halo, setting.referencePoint(), exchange_, setting.section()),
-        latest_, setting.run
-    ));
-    timeSurface_.setSmallScales(
-        halo.toOwned(scales.thin), halo.toOwned(scales.subGrid)
-    );
-    parametrized_ = true;
-}
-
 // Step 4 of the method, and the particles of step 5.
 void StabilityTracker::compare(const ExtractedSurface& extracted)
 {
     enter(Phase::matching);
     std::optional<ScopedTimer> watch(timings_.matching);
     timeSurface_.collectPoints(latest_->time, complex(), exchange_);
-    Comparison comparison(setting(), extracted.piece, timeSurface_);
+    // At the start T is M, but for the remeshing.
+    const bool starts = nClassified_ == 0 && parametrized_;
+    Comparison comparison(
+        starts ? settingOfCopy() : setting(), extracted.piece, timeSurface_
+    );
     comparison.match();
     watch.emplace(timings_.reconstruction);
     estimateNoiseFloor(extracted, comparison.interface());
@@ -266,34 +244,13 @@ void StabilityTracker::computeStatistics(const ExtractedSurface& extracted)
 }
 
 // Steps 6 and 2: the next time surface starts from the interface.
-void StabilityTracker::reseedTimeSurface(bool begins)
+void StabilityTracker::reseedTimeSurface(const ClassifiedSurface& interface)
 {
-    const ClassifiedSurface& interface = result_.interface;
+    const ScopedTimer watch(timings_.advection);
     SurfacePiece piece;
     static_cast<SurfaceOrder&>(piece) = interface.order;
     piece.mesh = interface.mesh;
-    if (!begins)
-    {
-        const ScopedTimer watch(timings_.advection);
-        timeSurface_.seed(piece, interface, latest_->time, complex(), exchange_);
-    }
-    else if (nClassified_ > 0)
-    {
-        // The first interface appeared just now: all of it is attached, and T starts
-        // from its flattened copy, which is written in T's place.
-        startSurface(piece);
-        const SurfaceHalo halo(surroundings(timeSurface_.piece(), setting()));
-        List<Match> atHome(halo.mesh().points.size());
-        for (Match& match : atHome)
-        {
-            match.stable = true;
-            match.nPreimages = 1;
-            match.nearest.distance = 0;
-        }
-        result_.timeSurface = toOwned(
-            describe(timeSurface_, halo, atHome, setting()), halo, timeSurface_
-        );
-    }
+    timeSurface_.seed(piece, interface, latest_->time, complex(), exchange_);
 }
 
 // Confidence: how far each class is from being decided by noise.
@@ -321,9 +278,17 @@ const Classification& StabilityTracker::classify()
     {
         startSurface(extracted.piece);
     }
+    else if (impulsiveStart_.isOpen())
+    {
+        result_.impulsiveStart =
+            impulsiveStart_.decide(extracted.piece, timeSurface_, history_, setting());
+    }
     compare(extracted);
     computeStatistics(extracted);
-    reseedTimeSurface(begins);
+    reseedTimeSurface(
+        begins && nClassified_ > 0 ? appearedInterface(extracted.piece)
+                                   : result_.interface
+    );
     computeConfidence();
     result_.droplets = gatheredDroplets(result_.droplets, exchange_);
 

@@ -84,7 +84,7 @@ class Survival:
 
     @staticmethod
     def _parts(run, resolution, index, t):
-        before = run.surface("interface" if index > 1 else "timeSurface", index - 1)
+        before = run.surface("interface", index - 1)
         start = np.zeros((before["vertex"].max() + 1, 3))
         start[before["vertex"]] = before.points
         h = 1 / resolution.cells

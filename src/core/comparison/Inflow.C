@@ -31,6 +31,7 @@ List<bool> mayHaveEntered(
     const UList<Match>& matches, const MatchTarget& target, bool sharesPoints
 )
 {
+    constexpr scalar roundOff = 1e-6;
     const List<bool> onRim(rimPoints(target));
     List<bool> result(matches.size());
     forAll(matches, i)
@@ -40,7 +41,7 @@ List<bool> mayHaveEntered(
         bool footOnRim = matches[i].stable && sharesPoints;
         for (label k = 0; k < 3 && footOnRim; ++k)
         {
-            footOnRim = !(foot.weights[k] > 0)
+            footOnRim = foot.weights[k] < roundOff
                         || onRim[target.mesh().triangles[foot.triangle][k]];
         }
         result[i] = !matches[i].stable || footOnRim;

@@ -80,6 +80,11 @@ void VelocityHistory::add(std::shared_ptr<const PointVelocity> next)
     }
 }
 
+void VelocityHistory::replaceFirst(std::shared_ptr<const PointVelocity> first)
+{
+    kept_.front() = std::move(first);
+}
+
 std::vector<std::unique_ptr<const Velocity>> VelocityHistory::reversed() const
 {
     std::vector<std::unique_ptr<const Velocity>> intervals;

@@ -137,6 +137,12 @@ void ProgressReport::showTroubles(const Classification& c, const word& timeName)
     {
         showFallbacks(*c.parametrization, timeName);
     }
+    if (c.impulsiveStart)
+    {
+        Info << "interfaceStability: at the first time the fluid is at rest, but the "
+             << "interface moved as if it had the velocity of the second time from the "
+             << "start: that is taken for the first interval" << endl;
+    }
     if (c.nFailedCells > 0)
     {
         Info << "interfaceStability: at time " << timeName << " s " << c.nFailedCells

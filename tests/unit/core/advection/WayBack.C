@@ -10,8 +10,8 @@
 using namespace Foam;
 using namespace Foam::stability;
 
-// In a uniform flow everything within U t of the inlet came in, and how far beyond it was
-// is known.
+// In a uniform flow everything within U t of the inlet came in, and how far beyond it
+// was is known.
 TEST(WayBack, findsWhatCameInThroughTheInlet)
 {
     const auto complex = shapes::box(shapes::channel(6, BoundaryKind::symmetry));
@@ -43,7 +43,9 @@ TEST(WayBack, findsWhatCameInThroughTheInlet)
             const scalar beyond = way - x.x();
             EXPECT_EQ(crossings.crossed[i], beyond > 0) << x.x();
             EXPECT_LT(mag(crossings.beyond[i] + vector(max(beyond, 0.0), 0, 0)), 1e-9);
-            EXPECT_LT(mag(crossings.ends[i] - x + min(way, x.x()) * vector(1, 0, 0)), 1e-9);
+            EXPECT_LT(
+                mag(crossings.ends[i] - x + min(way, x.x()) * vector(1, 0, 0)), 1e-9
+            );
         }
     }
 }

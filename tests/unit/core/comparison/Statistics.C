@@ -214,8 +214,8 @@ TEST(Statistics, nothingIsAWholeShareOfNothing)
     EXPECT_EQ(statistics.smallestVisibleDrift(), 0);
 }
 
-// Nothing is kept of what detached or left without a successor; where there was nothing,
-// nothing was lost.
+// Nothing is kept of what detached or left without a successor; where there was
+// nothing, nothing was lost.
 TEST(Statistics, whatTearsOrDrainsAwayIsNotKept)
 {
     ClassifiedSurface gone(strip());
@@ -224,9 +224,7 @@ TEST(Statistics, whatTearsOrDrainsAwayIsNotKept)
     addSurfaceStatistics(statistics, nothing(), gone, Epsilon(), alone);
     EXPECT_EQ(statistics.keptFraction(), 0);
     gone.stability = Stability::left;
-    addSurfaceStatistics(
-        statistics = Statistics(), nothing(), gone, Epsilon(), alone
-    );
+    addSurfaceStatistics(statistics = Statistics(), nothing(), gone, Epsilon(), alone);
     EXPECT_EQ(statistics.keptFraction(), 0);
     addSurfaceStatistics(
         statistics = Statistics(), strip(), nothing(), Epsilon(), alone
@@ -247,16 +245,16 @@ TEST(Statistics, displacementIsRmsInCellsByArea)
     EXPECT_NEAR(statistics.largestDisplacement, 3, 1e-14);
 }
 
-// Point 3 was at x = 4 and went 1.5 beyond x = 3, where point 1 stays 0.5 before it: three
-// quarters of that edge left; point 2, 3 before it, keeps two thirds of its edge.
+// Point 3 was at x = 4 and went 1.5 beyond x = 3, where point 1 stays 0.5 before it:
+// three quarters of that edge left; point 2, 3 before it, keeps two thirds of its edge.
 TEST(Statistics, whatLeftHasTheAreaThatItHadBefore)
 {
     ClassifiedSurface surface(strip());
     surface.stability[3] = Stability::left;
     Crossings& left = surface.crossings = Crossings(4);
     left.crossed[3] = true;
-    left.ends = List<point>{
-        point(-1, 5, 0), point(2.5, 0, 7), point(0, 1, 9), point(3, 2, 0)};
+    left.ends =
+        List<point>{point(-1, 5, 0), point(2.5, 0, 7), point(0, 1, 9), point(3, 2, 0)};
     left.beyond[3] = vector(1.5, 0, 0);
     pointField startPositions(surface.mesh.points);
     startPositions[3].x() = 4; // the triangle had 2 m2

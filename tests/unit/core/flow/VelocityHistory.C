@@ -15,21 +15,19 @@ namespace
 
 // Turns and speeds up linearly in time.
 const shapes::Flow unsteady = [](const point& x, scalar time)
-{ return vector(0.3, 0.1, 0.2) + time * vector(0.4, -0.3 * x.x(), 0.1); };
+{ return vector(0.4, 0.1, 0.2) + (time - 3) * vector(0.4, -0.3 * x.x(), 0.1); };
 
 } // namespace
 
-// As many as are added there and back again, thinned from the sixth on; the flow is linear
-// in time, so that thinning changes little.
+// As many as are added there and back again, thinned from the sixth on; the flow is
+// linear in time, so that thinning changes little.
 TEST(VelocityHistory, theWayBackLeadsToTheStart)
 {
     const auto complex = shapes::box(shapes::channel(6, BoundaryKind::open));
     for (const label n : {1, 2, 4, 5, 6, 7, 8, 9, 16, 23})
     {
         const auto at = [&](label i)
-        {
-            return shapes::sampledVelocity(complex, unsteady, 3 + scalar(i) / n);
-        };
+        { return shapes::sampledVelocity(complex, unsteady, 3 + scalar(i) / n); };
         VelocityHistory history;
         EXPECT_TRUE(history.empty());
         history.begin(at(0));

@@ -58,8 +58,7 @@ Colour pixel(int i, int j)
 
 bool swatch(int i, int j)
 {
-    return (i + 0.5) / size > 1 - Swatches::size
-           && (j + 0.5) / size < Swatches::size;
+    return (i + 0.5) / size > 1 - Swatches::size && (j + 0.5) / size < Swatches::size;
 }
 
 // Distance of a pixel from the nearest grid line, in cells of the grid.

@@ -11,8 +11,8 @@ using namespace Foam::stability;
 namespace
 {
 
-// A plane of 3 x 2 m2, oblique in its 17 x 13 quadrilaterals, carried along x until it has
-// moved `way` [m]; the domain ends at x = 3.
+// A plane of 3 x 2 m2, oblique in its 17 x 13 quadrilaterals, carried along x until it
+// has moved `way` [m]; the domain ends at x = 3.
 struct Carried
 {
     InterfaceMesh start;
@@ -62,8 +62,7 @@ TEST(Crossings, areasInsideAddUp)
     Carried c(carried(0.4999));
     InterfaceMesh now(c.start);
     now.points = c.crossings.ends;
-    const auto areasBy = [&](const InterfaceMesh& mesh, bool withoutCrossed)
-    {
+    const auto areasBy = [&](const InterfaceMesh& mesh, bool withoutCrossed) {
         return pointAreas(
             mesh, cornerShares(mesh.triangles, c.crossings, withoutCrossed)
         );
