@@ -24,7 +24,8 @@ Packet Exchange::fromMaster(const Packet& packet) const
 }
 
 // In rounds: in each, a rank passes on as much as it has, to the rank as many places
-// below it (Bruck et al., IEEE Transactions on Parallel and Distributed Systems 8, 1997).
+// below it (Bruck et al., IEEE Transactions on Parallel and Distributed Systems 8,
+// 1997).
 std::vector<Packet> Exchange::toAll(const Packet& packet) const
 {
     const label n = nRanks();

@@ -105,9 +105,7 @@ void VoxelMask::add(const boundBox& box)
     addVoxels(low, high);
 }
 
-void VoxelMask::addVoxels(
-    const std::int64_t (&low)[3], const std::int64_t (&high)[3]
-)
+void VoxelMask::addVoxels(const std::int64_t (&low)[3], const std::int64_t (&high)[3])
 {
     const bool first = voxels_.empty();
     for (direction d = 0; d < 3; ++d)

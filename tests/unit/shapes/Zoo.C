@@ -84,7 +84,7 @@ protected:
         shapes::complexOf(GetParam().make());
 };
 
-std::string nameOf(const ::testing::TestParamInfo<shapes::ZooMesh>& info)
+std::string zooName(const ::testing::TestParamInfo<shapes::ZooMesh>& info)
 {
     return info.param.name;
 }
@@ -141,7 +141,9 @@ TEST_P(EachOfTheZoo, hasABallOfItsSize)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Zoo, EachOfTheZoo, ::testing::ValuesIn(shapes::zoo()), nameOf);
+INSTANTIATE_TEST_SUITE_P(
+    Zoo, EachOfTheZoo, ::testing::ValuesIn(shapes::zoo()), zooName
+);
 
 TEST(Zoo, hasTheKindsThatItsNamesTell)
 {
