@@ -27,6 +27,8 @@ distributed(const InterfaceMesh& mesh, const WholeMesh& whole, const Exchange& e
             {
                 const label celli = mesh.cells[mesh.triangles[trianglei][0]];
                 ofRanks[whole.rankOf(celli)].append(trianglei);
+                // Places are counted anew after splitting, on each rank alone.
+                all.keys[trianglei] = {point(trianglei, 0, 0), 0};
             }
         }
     );

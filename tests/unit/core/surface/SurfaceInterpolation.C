@@ -23,7 +23,8 @@ InterfaceMesh sheet(label n)
 Interpolation interpolationOf(const InterfaceMesh& mesh, const List<vector>& values)
 {
     return Interpolation(
-        mesh, values, [&](label trianglei, label k) { return mesh.triangles[trianglei][k]; }
+        mesh, values,
+        [&](label trianglei, label k) { return mesh.triangles[trianglei][k]; }
     );
 }
 
@@ -82,9 +83,7 @@ TEST(SurfaceInterpolation, trianglesAgreeOnTheirEdges)
                 continue;
             }
             const auto by = [&](label side)
-            {
-                return onEdge(mesh, interpolation, edge.triangles[side], edge, 0.3);
-            };
+            { return onEdge(mesh, interpolation, edge.triangles[side], edge, 0.3); };
             EXPECT_LT(mag(by(0) - by(1)), 1e-14) << roughness;
             const vector line = 0.7 * values[edge.a] + 0.3 * values[edge.b];
             nBent += mag(by(0) - line) > 1e-9;
