@@ -22,6 +22,7 @@ struct Arrival
     label cell;      // global; -1: none
     scalar cellSize; // [m]
     bool nearWall, left;
+    vector beyond; // [m], Crossings::beyond
 };
 
 // The image of the cell in which the pathline would be, had it not been brought back.
@@ -40,7 +41,7 @@ void TimeSurface::send(
 )
 {
     const InterfaceMesh& mesh = piece_.mesh;
-    left_ = List<bool>(mesh.points.size(), false);
+    left_ = Crossings(mesh.points.size());
     pathlines_.clear();
     forAll(mesh.points, pointi)
     {
@@ -88,7 +89,7 @@ void TimeSurface::seedRemeshed(
             }
         }
     );
-    collectPoints(complex, exchange);
+    collectPoints(time, complex, exchange);
     send(time, complex, exchange); // some have changed rank
 }
 
@@ -118,7 +119,9 @@ TimeSurface::displacement(const CellComplex& complex, const Exchange& exchange) 
     return weight > 0 ? std::sqrt(sums[0].value() / weight) : 0;
 }
 
-void TimeSurface::collectPoints(const CellComplex& complex, const Exchange& exchange)
+void TimeSurface::collectPoints(
+    scalar time, const CellComplex& complex, const Exchange& exchange
+)
 {
     std::vector<DynamicList<Arrival>> toRanks(exchange.nRanks());
     for (const Pathline& path : pathlines_)
@@ -131,6 +134,7 @@ void TimeSurface::collectPoints(const CellComplex& complex, const Exchange& exch
         arrival.cellSize = celli < 0 ? 0 : complex.cellSizes()[celli];
         arrival.nearWall = celli >= 0 && complex.nearWall(celli);
         arrival.left = path.state == PathlineState::left;
+        arrival.beyond = arrival.left ? beyondExit(path, time) : vector(Zero);
         toRanks[path.home].append(arrival);
     }
     for (const List<Arrival>& arrivals : exchange.exchangeLists(toRanks))
@@ -138,7 +142,9 @@ void TimeSurface::collectPoints(const CellComplex& complex, const Exchange& exch
         for (const Arrival& arrival : arrivals)
         {
             piece_.mesh.points[arrival.id] = arrival.x;
-            left_[arrival.id] = arrival.left;
+            left_.crossed[arrival.id] = arrival.left;
+            left_.ends[arrival.id] = arrival.x;
+            left_.beyond[arrival.id] = arrival.beyond;
             if (arrival.cell >= 0)
             {
                 piece_.mesh.cells[arrival.id] = arrival.cell;

@@ -2,6 +2,7 @@
 
 #include "core/comparison/Comparison.H"
 
+#include "core/comparison/Inflow.H"
 #include "core/ranks/ExactSum.H"
 #include "core/surface/InterfaceMotion.H"
 
@@ -202,6 +203,14 @@ ClassifiedSurface Comparison::describeInterface(std::vector<Droplet>& droplets) 
     ClassifiedSurface interface(stability::describe(
         split_, onInterface_, Stability::attached, nearWall, setting_.interval
     ));
+    const List<bool> camePreviously(enteredBefore(owned_, timeSurface_));
+    interface.fromOutside.setSize(nearWall.size(), false);
+    forAll(nearWall, pointi)
+    {
+        const Match& match = onInterface_[pointi];
+        interface.fromOutside[pointi] =
+            match.stable && camePreviously[match.nearest.triangle];
+    }
     InterfaceMesh mesh(split_);
     useGlobalCells(mesh, setting_.complex());
     const JoinedSurface own(ownParts(mesh, parents_, near_, own_));
@@ -220,6 +229,16 @@ ClassifiedSurface Comparison::describeInterface(std::vector<Droplet>& droplets) 
     interface.thin = halo.toOwned(scales.thin);
     interface.subGrid = halo.toOwned(scales.subGrid);
     fillMarks(interface, interface.mesh.points.size());
+    if (setting_.history && !setting_.history->empty())
+    {
+        const List<bool> mayEnter(
+            mayHaveEntered(onInterface_, *target_, owned_.piece().sharesPoints)
+        );
+        findEntered(
+            interface, halo, List<bool>(UList<bool>(mayEnter), own.pointSources),
+            setting_
+        );
+    }
     droplets = std::move(scales.droplets);
     return interface;
 }
@@ -249,11 +268,19 @@ ClassifiedSurface describe(
     ));
     forEachMark([&](const char*, const MarkFiles&, const auto& mark)
                 { mark(surface) = halo.toHalo(mark(marks)); });
-    surface.areas = halo.mesh().pointAreas(); // as they are now
-    const List<bool> left(halo.toHalo(timeSurface.left()));
-    forAll(left, pointi)
+    Crossings& left = surface.crossings;
+    left.crossed = halo.toHalo(timeSurface.left().crossed);
+    left.ends = halo.toHalo(timeSurface.left().ends);
+    left.beyond = halo.toHalo(timeSurface.left().beyond);
+    // As they are now: what left lies flat on the boundary.
+    surface.areas = pointAreas(
+        halo.mesh(), halo.triangleValues(cornerShares(
+                         timeSurface.piece().mesh.triangles, timeSurface.left(), false
+                     ))
+    );
+    forAll(left.crossed, pointi)
     {
-        if (left[pointi])
+        if (left.crossed[pointi])
         {
             surface.stability[pointi] = Stability::left;
         }

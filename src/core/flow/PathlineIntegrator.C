@@ -151,6 +151,7 @@ private:
         }
         line_.x =
             velocity_.exitPoint(sample_.position, line_.x, line_.hint, line_.patch);
+        setExitVelocity(sample_.U);
         finish(PathlineState::left, counts_.nLeft);
         return true;
     }
@@ -258,6 +259,12 @@ private:
         ++counts_.nSteps;
     }
 
+    // Takes the part of U [m/s] that leads out.
+    void setExitVelocity(const vector& U)
+    {
+        line_.exitVelocity = max(U & sample_.outward, scalar(0)) * sample_.outward;
+    }
+
     void leave()
     {
         const vector way = line_.step * combine(line_, a[nStages - 1], nStages - 1);
@@ -269,6 +276,7 @@ private:
         line_.time = min(line_.time + fraction * line_.step, velocity_.endTime());
         line_.x = exit;
         line_.firstSameAsLast = false;
+        setExitVelocity(way / line_.step);
         countStep();
         finish(PathlineState::left, counts_.nLeft);
     }
@@ -300,6 +308,17 @@ IntegrationCounts& IntegrationCounts::operator+=(const IntegrationCounts& part)
     nLost += part.nLost;
     nElsewhere += part.nElsewhere;
     return *this;
+}
+
+IntegrationCounts total(const IntegrationCounts& here, const Exchange& exchange)
+{
+    IntegrationCounts all;
+    all.nSteps = exchange.total(here.nSteps);
+    all.nRejected = exchange.total(here.nRejected);
+    all.nLeft = exchange.total(here.nLeft);
+    all.nStuck = exchange.total(here.nStuck);
+    all.nLost = exchange.total(here.nLost);
+    return all;
 }
 
 IntegrationCounts advance(

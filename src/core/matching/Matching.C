@@ -2,11 +2,83 @@
 
 #include "core/matching/Matching.H"
 
+#include "core/base/DisjointSets.H"
+
 #include <algorithm>
 #include <vector>
 
 namespace Foam::stability
 {
+
+namespace
+{
+
+// True for a surface of polygons whose points are not welded: a droplet has more
+// triangles.
+bool isLoose(const MatchTarget& target)
+{
+    constexpr label fewest = 8;
+    return target.mesh().triangles.size() < fewest * target.topology().nComponents();
+}
+
+// True where an end of a rim of triangle a lies beside triangle b, which faces the same
+// way: the polygons of a surface whose points are not welded hang together so.
+bool liesBeside(const MatchTarget& target, label a, label b, scalar gap)
+{
+    constexpr scalar sameWay = 0.5; // cosine
+    const vector areaA = target.mesh().areaVector(a),
+                 areaB = target.mesh().areaVector(b);
+    if ((areaA & areaB) < sameWay * mag(areaA) * mag(areaB))
+    {
+        return false;
+    }
+    const triFace& corners = target.mesh().triangles[a];
+    for (label k = 0; k < 3; ++k)
+    {
+        const label edgei = target.topology().triangleEdges()[a][k];
+        if (target.topology().edges()[edgei].nTriangles == 1)
+        {
+            for (const label pointi : {corners[k], corners[(k + 1) % 3]})
+            {
+                const point& x = target.mesh().points[pointi];
+                if (target.locator().closestOn(b, x).distance < gap)
+                {
+                    return true;
+                }
+            }
+        }
+    }
+    return false;
+}
+
+// The number of patches among the triangles, each with its patch by edges, if those
+// that lie beside each other within the gap [m] are one.
+label nPatchesBeside(
+    const MatchTarget& target, const std::vector<label>& triangles,
+    const std::vector<label>& patches, label nPatches, scalar gap
+)
+{
+    DisjointSets sets(nPatches);
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+    {
+        for (std::size_t j = 0; j < triangles.size(); ++j)
+        {
+            if (sets.root(patches[i]) != sets.root(patches[j])
+                && liesBeside(target, triangles[i], triangles[j], gap))
+            {
+                sets.unite(patches[i], patches[j]);
+            }
+        }
+    }
+    label n = 0;
+    for (label patchi = 0; patchi < nPatches; ++patchi)
+    {
+        n += sets.root(patchi) == patchi;
+    }
+    return n;
+}
+
+} // namespace
 
 // Boxes of about epsilon (paper 4.5); the locator sees to it that they are not
 // smaller than the triangles.
@@ -96,9 +168,12 @@ bool MatchTarget::isWithin(label trianglei, const point& x, scalar radius) const
 label MatchTarget::countPatches(const point& x, const vector& normal, scalar epsilon)
     const
 {
-    static thread_local std::vector<label> near, front;
+    constexpr scalar besideEachOther = 0.3; // [cells]
+    static thread_local std::vector<label> near, front, found, patches;
     static thread_local std::vector<bool> waits; // per triangle: near, in no patch yet
     near.clear();
+    found.clear();
+    patches.clear();
     waits.resize(std::max(waits.size(), std::size_t(mesh_.triangles.size())), false);
     const vector halfWidth(epsilon, epsilon, epsilon);
     locator_.visitWithin(
@@ -119,13 +194,14 @@ label MatchTarget::countPatches(const point& x, const vector& normal, scalar eps
         {
             continue;
         }
-        ++nPatches;
         waits[start] = false;
         front.assign(1, start);
         while (!front.empty())
         {
             const label trianglei = front.back();
             front.pop_back();
+            found.push_back(trianglei);
+            patches.push_back(nPatches);
             for (const label edgei : topology_.triangleEdges()[trianglei])
             {
                 for (const label other : topology_.edges()[edgei].triangles)
@@ -138,6 +214,14 @@ label MatchTarget::countPatches(const point& x, const vector& normal, scalar eps
                 }
             }
         }
+        ++nPatches;
+    }
+    if (nPatches > 1 && isLoose(*this))
+    {
+        const label pointi = mesh_.triangles[near.front()][0];
+        nPatches = nPatchesBeside(
+            *this, found, patches, nPatches, besideEachOther * mesh_.cellSizes[pointi]
+        );
     }
     return nPatches;
 }

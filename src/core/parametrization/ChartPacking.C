@@ -38,7 +38,7 @@ class Skyline
 {
 public:
     explicit Skyline(scalar gutter)
-        : steps_{{gutter, gutter}, {1 - BlackSwatch::size, BlackSwatch::size + gutter}}
+        : steps_{{gutter, gutter}, {1 - Swatches::size, Swatches::size + gutter}}
     {
     }
 

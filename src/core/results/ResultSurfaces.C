@@ -20,8 +20,25 @@ struct SplitPoints
     List<triFace> triangles; // of output points
 };
 
-// A corner on the black swatch, and one without p, count as pairs of their own.
-constexpr label onSwatch = -2;
+// The display corner on a swatch, from the index of p or none: negative, and even on
+// that of what attached. So it is not welded to tracked triangles, yet p stays known.
+label onSwatch(label corner, bool entered)
+{
+    return -2 - 2 * (max(corner, label(-1)) + 1) - entered;
+}
+
+// The parameter behind a display corner.
+label trueCorner(label corner)
+{
+    return corner <= -2 ? (-2 - corner) / 2 - 1 : corner;
+}
+
+vector2D texturePlace(const InterfaceMesh& mesh, label corner)
+{
+    return corner >= 0       ? mesh.parameters[corner]
+           : corner % 2 == 0 ? Swatches::attached()
+                             : Swatches::entered();
+}
 
 SplitPoints split(const InterfaceMesh& mesh, const List<CornerIndices>& corners)
 {
@@ -66,34 +83,31 @@ vector2D valueOf(const InterfaceMesh& mesh, label parameteri)
     return parameteri >= 0 ? mesh.parameters[parameteri] : vector2D(-1, -1);
 }
 
-// Triangles with a corner that is attached or has no p lie wholly on the swatch
-// (algorithms: an interpolated sentinel would make a rainbow fringe).
+// Triangles with a corner that is attached, entered or has no p lie wholly on a swatch
+// (an interpolated sentinel would make a rainbow fringe): on that of what entered if a
+// corner did, now or before, and none is attached.
 List<CornerIndices> displayCorners(const ClassifiedSurface& surface)
 {
     List<CornerIndices> corners(surface.mesh.corners);
     forAll(corners, trianglei)
     {
         bool tracked = surface.mesh.parametrized(trianglei);
+        bool attached = false, entered = false;
         for (const label pointi : surface.mesh.triangles[trianglei])
         {
-            tracked = tracked && surface.stability[pointi] != Stability::attached;
+            tracked = tracked && surface.stability[pointi] == Stability::stable;
+            attached = attached || surface.stability[pointi] == Stability::attached;
+            entered = entered || surface.fromOutside[pointi];
         }
         if (!tracked)
         {
-            // Unwelded from the tracked triangles around, yet p stays known.
             for (label& corner : corners[trianglei])
             {
-                corner = onSwatch - max(corner, label(-1)) - 1;
+                corner = onSwatch(corner, entered && !attached);
             }
         }
     }
     return corners;
-}
-
-// The parameter behind a display corner.
-label trueCorner(label corner)
-{
-    return corner <= onSwatch ? onSwatch - corner - 1 : corner;
 }
 
 template<class Value>
@@ -203,9 +217,7 @@ interfaceSurface(const ClassifiedSurface& from, scalar time, const labelList& nu
     PointArray texture{"TCoords", 2, false, {}};
     for (const label corner : points.parameter)
     {
-        append(
-            texture, corner >= 0 ? valueOf(from.mesh, corner) : BlackSwatch::middle()
-        );
+        append(texture, texturePlace(from.mesh, corner));
     }
     result.arrays.insert(result.arrays.begin(), texture);
     addMarks(from, &MarkFiles::interface, vertex, result.arrays);

@@ -30,7 +30,7 @@ constexpr double firstKey = 350;
 constexpr double keyStep = 44;
 constexpr double keySide = 20;
 constexpr double fontSize = 17;
-constexpr double lineSpacing = 1.6;
+constexpr double lineSpacing = 1.5;
 
 template<class... Values>
 std::string formatted(const char* format, Values... values)
@@ -111,6 +111,9 @@ void Legend::addKeys(bool withWalls)
     addSquare(left, y, keySide, colours::attached);
     addText("attached now or before", text, y + 3, fontSize);
     y -= keyStep;
+    addSquare(left, y, keySide, colours::entered);
+    addText("entered now or before", text, y + 3, fontSize);
+    y -= keyStep;
     addDisk(left + 0.5 * keySide, y + 0.5 * keySide, 0.35 * keySide, colours::detached);
     addText("detached: particles", text, y + 3, fontSize);
     if (withWalls)
@@ -165,6 +168,10 @@ void Legend::show(const Frame& frame, const FrameNumbers& numbers)
     if (numbers.stableFraction)
     {
         add("stable area", formatted("%.2f %%", 100 * *numbers.stableFraction));
+    }
+    if (numbers.keptFraction)
+    {
+        add("kept of T", formatted("%.2f %%", 100 * *numbers.keptFraction));
     }
     if (numbers.coverage)
     {

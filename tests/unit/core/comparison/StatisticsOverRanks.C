@@ -53,8 +53,26 @@ ClassifiedSurface hills(unsigned seed)
         surface.thin[i] = often();
         surface.subGrid[i] = often();
     }
+    surface.crossings = Crossings(n);
+    surface.crossings.ends = mesh.points;
+    for (label i = 0; i < n; ++i)
+    {
+        surface.crossings.crossed[i] = surface.stability[i] == Stability::left;
+        surface.crossings.beyond[i] = vector(unit(random), unit(random), 0.1);
+    }
     surface.areas = mesh.pointAreas();
     surface.isPrimary = List<bool>(n, true);
+    return surface;
+}
+
+ClassifiedSurface hillsOfInterface()
+{
+    ClassifiedSurface surface(hills(1));
+    for (Stability& stability : surface.stability)
+    {
+        stability =
+            stability == Stability::detached ? Stability::attached : Stability::stable;
+    }
     return surface;
 }
 
@@ -144,7 +162,7 @@ std::vector<scalar> allValues(const Statistics& statistics)
 
 std::vector<std::vector<scalar>> valuesOn(label n)
 {
-    const ClassifiedSurface interface(hills(1)), timeSurface(hills(2));
+    const ClassifiedSurface interface(hillsOfInterface()), timeSurface(hills(2));
     std::vector<std::vector<scalar>> values(n);
     shapes::onRanks(
         n,
@@ -157,7 +175,7 @@ std::vector<std::vector<scalar>> valuesOn(label n)
             addSurfaceStatistics(
                 statistics, m.surface, t.surface, Epsilon{0.3, true}, exchange
             );
-            addDisplacement(statistics, t.surface, t.startPositions, exchange);
+            addMotion(statistics, t.surface, t.startPositions, exchange);
             values[rank] = allValues(statistics);
         }
     );
@@ -169,11 +187,11 @@ std::vector<std::vector<scalar>> valuesOn(label n)
 TEST(StatisticsOverRanks, areThoseOfTheWhole)
 {
     Statistics whole;
-    const ClassifiedSurface interface(hills(1)), timeSurface(hills(2));
+    const ClassifiedSurface interface(hillsOfInterface()), timeSurface(hills(2));
     addSurfaceStatistics(
         whole, interface, timeSurface, Epsilon{0.3, true}, SerialExchange()
     );
-    addDisplacement(whole, timeSurface, seedsOf(timeSurface), SerialExchange());
+    addMotion(whole, timeSurface, seedsOf(timeSurface), SerialExchange());
     const std::vector<scalar> truth(allValues(whole));
     const scalar area = interface.mesh.area();
     EXPECT_NEAR(whole.area, area, 1e-13 * area);
@@ -181,12 +199,13 @@ TEST(StatisticsOverRanks, areThoseOfTheWhole)
     EXPECT_EQ(whole.nTriangles, interface.mesh.triangles.size());
     EXPECT_NEAR(whole.coverage(), 0.33, 0.05);
     for (const scalar part :
-         {whole.stableArea, whole.attachedArea, whole.leftArea, whole.detachedNearWall,
-          whole.detachedThin, whole.detachedResolved})
+         {whole.stableArea, whole.attachedArea, whole.enteredArea,
+          whole.detachedNearWall, whole.detachedThin, whole.detachedResolved})
     {
         EXPECT_GT(part, 0.02 * area);
         EXPECT_LT(part, 0.9 * area);
     }
+    EXPECT_GT(whole.leftArea, 0.02 * area);
     for (const label n : {1, 2, 3, 5})
     {
         for (const std::vector<scalar>& ofRank : valuesOn(n))
