@@ -318,7 +318,7 @@ TEST(TwoDimensions, asManyLayersBetweenSymmetryPlanes)
     layers.kinds[4] = layers.kinds[5] = BoundaryKind::symmetry;
     const TurningDisc discs[2] = {
         TurningDisc(options), TurningDisc(options, shapes::box(layers))};
-    constexpr scalar epsilon = 0.1, facets = 0.02; // [cells]
+    constexpr scalar epsilon = 0.1, facets = 0.025; // [cells]
     ClassifiedSurface T[2];
     scalar shares[2] = {0, 0};
     for (label i = 0; i < 2; ++i)
@@ -355,7 +355,7 @@ TEST(TwoDimensions, asManyLayersBetweenSymmetryPlanes)
             );
         }
     }
-    EXPECT_GT(nCompared, 0.8 * T[1].mesh.points.size());
+    EXPECT_GT(nCompared, 0.5 * T[1].mesh.points.size());
 }
 
 // Nothing is thin or sub-grid only because there is one layer of cells: a film is, and
