@@ -453,7 +453,8 @@ TEST(TwoDimensions, aSphereInAWedgeIsDrawnOut)
         {
             squares += areas[pointi] * sqr(ellipse(i, T.points[pointi]));
         }
-        EXPECT_LT(std::sqrt(squares / sum(areas)), 0.005);
+        // Later the tips are sharp: their radius falls to 3 cells.
+        EXPECT_LT(std::sqrt(squares / sum(areas)), i <= 4 ? 1e-3 : 3e-3);
         if (i == 1)
         {
             // The area of the sphere, as the wedge has it.
