@@ -44,6 +44,7 @@ one that is strained does not rotate or translate.
 #include "fvCFD.H"
 
 #include "emptyPolyPatch.H"
+#include "symmetryPlanePolyPatch.H"
 #include "wedgePolyPatch.H"
 
 #include "shapes/DeformedSphere.H"
@@ -200,7 +201,8 @@ private:
         for (const polyPatch& patch : mesh.boundaryMesh())
         {
             const bool wedge = isA<wedgePolyPatch>(patch);
-            if (!wedge && !isA<emptyPolyPatch>(patch))
+            if (!wedge && !isA<emptyPolyPatch>(patch)
+                && !isA<symmetryPlanePolyPatch>(patch))
             {
                 continue;
             }
