@@ -2,6 +2,7 @@
 """Judges results on a two-dimensional mesh or a wedge.
 
     judge_section.py rotation CASE ...   a disc in rotation, exact fractions
+    judge_section.py still CASE ...      a disc of which nothing may part
     judge_section.py same CASE CASE ...  the second mesh is --factor times as thick
     judge_section.py strain CASE ...     a sphere in a wedge, strained along its axis
 """
@@ -18,7 +19,7 @@ def vector(parser, name, default=None):
 
 
 parser = argparse.ArgumentParser()
-parser.add_argument("kind", choices=["rotation", "same", "strain"])
+parser.add_argument("kind", choices=["rotation", "still", "same", "strain"])
 parser.add_argument("cases", nargs="+")
 parser.add_argument("--cells", type=float, default=32, help="cells per metre")
 vector(parser, "--centre")
@@ -82,6 +83,14 @@ def rotation():
     off = np.linalg.norm(between(centres - m.points, axis), axis=1) * arguments.cells
     verdict.at_most("mean error of the origin [cells]", off.mean(), arguments.origin)
     verdict.at_most("largest error of the origin [cells]", off.max(), 20 * arguments.origin)
+
+
+def still():
+    run = Run(arguments.cases[0])
+    table = nothing_happens(run)
+    length = 2 * np.pi * arguments.radius
+    error = np.abs(table["area"] / (length * arguments.thickness) - 1).max()
+    verdict.at_most("area, relative", error, 1e-3)
 
 
 def same():
@@ -150,5 +159,5 @@ def strain():
     verdict.at_most("area in the wedge, relative", worst, 1e-3)
 
 
-{"rotation": rotation, "same": same, "strain": strain}[arguments.kind]()
+{"rotation": rotation, "still": still, "same": same, "strain": strain}[arguments.kind]()
 verdict.leave()
