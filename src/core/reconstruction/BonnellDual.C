@@ -320,7 +320,7 @@ ReconstructionResult BonnellDual::extract(const FlowSnapshot& snapshot) const
     const VolumeFractions fractions(snapshot);
     MarchingTets tets(*snapshot.complex);
     DualExtraction(*snapshot.complex, fractions).cutInto(tets);
-    return finish(tets, *snapshot.complex, fractions.volume, options_);
+    return finish(tets, *snapshot.complex, fractions, options_);
 }
 
 } // namespace Foam::stability
