@@ -7,6 +7,7 @@
 #include "core/parametrization/FlatteningMethods.H"
 #include "core/ranks/ExactSum.H"
 #include "core/reconstruction/NoiseFloor.H"
+#include "core/surface/Ribbon.H"
 
 #include <algorithm>
 #include <sstream>
@@ -75,7 +76,12 @@ Comparison::Setting StabilityTracker::setting() const
 {
     const ReconstructionFrom& change = settings_[activeSettings()];
     return {
-        latest_, change.matching, change.transfer, latest_->time - lastClassified_,
+        latest_,
+        change.matching,
+        change.transfer,
+        latest_->time - lastClassified_,
+        hasOpenings_ ? &history_ : nullptr,
+        options_.integration,
         Run{exchange_, options_.nThreads}};
 }
 
@@ -106,17 +112,11 @@ void StabilityTracker::start(std::shared_ptr<const FlowSnapshot> snapshot)
     latestVelocity_ = velocityOf(snapshot);
     latest_ = std::move(snapshot);
     lastClassified_ = latest_->time;
-}
-
-IntegrationCounts StabilityTracker::sumOf(const IntegrationCounts& here) const
-{
-    IntegrationCounts all;
-    all.nSteps = exchange_.total(here.nSteps);
-    all.nRejected = exchange_.total(here.nRejected);
-    all.nLeft = exchange_.total(here.nLeft);
-    all.nStuck = exchange_.total(here.nStuck);
-    all.nLost = exchange_.total(here.nLost);
-    return all;
+    const List<BoundaryKind>& kinds = complex().kinds();
+    const bool opens =
+        std::find(kinds.begin(), kinds.end(), BoundaryKind::open) != kinds.end();
+    hasOpenings_ = exchange_.total(opens) > 0;
+    history_.begin(latestVelocity_);
 }
 
 void StabilityTracker::advance(std::shared_ptr<const FlowSnapshot> snapshot)
@@ -133,8 +133,21 @@ void StabilityTracker::advance(std::shared_ptr<const FlowSnapshot> snapshot)
     {
         const ScopedTimer watch(timings_.advection);
         enter(Phase::advection);
+        if (nClassified_ == 1 && latest_->time == lastClassified_)
+        {
+            impulsiveStart_.consider(
+                timeSurface_, *latestVelocity_, *velocity, options_.wallVelocity,
+                exchange_
+            );
+        }
         surfaceCounts_ +=
             timeSurface_.advance(interval, options_.integration, complex(), exchange_);
+        if (impulsiveStart_.isOpen())
+        {
+            impulsiveStart_.advance(
+                latestVelocity_, velocity, options_.integration, complex(), exchange_
+            );
+        }
     }
     {
         const ScopedTimer watch(timings_.particles);
@@ -144,6 +157,10 @@ void StabilityTracker::advance(std::shared_ptr<const FlowSnapshot> snapshot)
     }
     latest_ = std::move(snapshot);
     latestVelocity_ = velocity;
+    if (hasOpenings_)
+    {
+        history_.add(velocity);
+    }
 }
 
 scalar StabilityTracker::displacement()
@@ -162,50 +179,17 @@ ExtractedSurface StabilityTracker::extract()
     );
 }
 
-// Step 1 of the method (paper 4.2): the first interface there is gets p, and T starts
-// from its flattened copy.
-void StabilityTracker::startSurface(const SurfacePiece& interface)
-{
-    enter(Phase::parametrization);
-    const ScopedTimer watch(timings_.parametrization);
-    const Comparison::Setting setting(this->setting());
-    {
-        const Components components(
-            surroundings(interface, setting), setting.referencePoint(), exchange_
-        );
-        const List<bool> all(interface.mesh.triangles.size(), true);
-        result_.parametrization = parametrize(
-            wholeComponents(interface, components, all, exchange_).piece,
-            options_.parametrization, exchange_
-        );
-    }
-    SurfacePiece& surface = result_.parametrization->surface;
-    surface = join({surface}).piece; // points in the order of triangles
-    PointMarks marks;
-    marks.areas = surface.mesh.pointAreas();
-    marks.isPrimary = List<bool>(surface.mesh.points.size(), true);
-    timeSurface_.seedRemeshed(surface, marks, latest_->time, complex(), exchange_);
-    surface = timeSurface_.piece();
-    chart_ = DistributedChart(surface, complex().whole(), exchange_);
-
-    const SurfaceHalo halo(surroundings(surface, setting));
-    const SmallScales scales(smallScales(
-        surface, halo, Components(halo, setting.referencePoint(), exchange_), latest_,
-        setting.run
-    ));
-    timeSurface_.setSmallScales(
-        halo.toOwned(scales.thin), halo.toOwned(scales.subGrid)
-    );
-    parametrized_ = true;
-}
-
 // Step 4 of the method, and the particles of step 5.
 void StabilityTracker::compare(const ExtractedSurface& extracted)
 {
     enter(Phase::matching);
     std::optional<ScopedTimer> watch(timings_.matching);
-    timeSurface_.collectPoints(complex(), exchange_);
-    Comparison comparison(setting(), extracted.piece, timeSurface_);
+    timeSurface_.collectPoints(latest_->time, complex(), exchange_);
+    // At the start T is M, but for the remeshing.
+    const bool starts = nClassified_ == 0 && parametrized_;
+    Comparison comparison(
+        starts ? settingOfCopy() : setting(), extracted.piece, timeSurface_
+    );
     comparison.match();
     watch.emplace(timings_.reconstruction);
     estimateNoiseFloor(extracted, comparison.interface());
@@ -250,42 +234,23 @@ void StabilityTracker::computeStatistics(const ExtractedSurface& extracted)
     statistics.nMerged = result_.transfer.nMerged;
     statistics.nSplit = result_.transfer.nSplit;
     addSurfaceStatistics(
-        statistics, result_.interface, result_.timeSurface, result_.epsilon, exchange_
+        statistics, result_.interface, result_.timeSurface, result_.epsilon, exchange_,
+        complex().whole().section
     );
-    addDisplacement(
-        statistics, result_.timeSurface, timeSurface_.piece().startPositions, exchange_
+    addMotion(
+        statistics, result_.timeSurface, timeSurface_.piece().startPositions, exchange_,
+        complex().whole().section
     );
 }
 
 // Steps 6 and 2: the next time surface starts from the interface.
-void StabilityTracker::reseedTimeSurface(bool begins)
+void StabilityTracker::reseedTimeSurface(const ClassifiedSurface& interface)
 {
-    const ClassifiedSurface& interface = result_.interface;
+    const ScopedTimer watch(timings_.advection);
     SurfacePiece piece;
     static_cast<SurfaceOrder&>(piece) = interface.order;
     piece.mesh = interface.mesh;
-    if (!begins)
-    {
-        const ScopedTimer watch(timings_.advection);
-        timeSurface_.seed(piece, interface, latest_->time, complex(), exchange_);
-    }
-    else if (nClassified_ > 0)
-    {
-        // The first interface appeared just now: all of it is attached, and T starts
-        // from its flattened copy, which is written in T's place.
-        startSurface(piece);
-        const SurfaceHalo halo(surroundings(timeSurface_.piece(), setting()));
-        List<Match> atHome(halo.mesh().points.size());
-        for (Match& match : atHome)
-        {
-            match.stable = true;
-            match.nPreimages = 1;
-            match.nearest.distance = 0;
-        }
-        result_.timeSurface = toOwned(
-            describe(timeSurface_, halo, atHome, setting()), halo, timeSurface_
-        );
-    }
+    timeSurface_.seed(piece, interface, latest_->time, complex(), exchange_);
 }
 
 // Confidence: how far each class is from being decided by noise.
@@ -303,8 +268,8 @@ const Classification& StabilityTracker::classify()
     result_ = Classification();
     result_.index = nClassified_;
     result_.epsilon = settings_[activeSettings()].matching.epsilon;
-    result_.timeSurfaceCounts = sumOf(std::exchange(surfaceCounts_, {}));
-    result_.particleCounts = sumOf(std::exchange(particleCounts_, {}));
+    result_.timeSurfaceCounts = total(std::exchange(surfaceCounts_, {}), exchange_);
+    result_.particleCounts = total(std::exchange(particleCounts_, {}), exchange_);
 
     const ExtractedSurface extracted(extract());
     const bool begins =
@@ -313,13 +278,22 @@ const Classification& StabilityTracker::classify()
     {
         startSurface(extracted.piece);
     }
+    else if (impulsiveStart_.isOpen())
+    {
+        result_.impulsiveStart =
+            impulsiveStart_.decide(extracted.piece, timeSurface_, history_, setting());
+    }
     compare(extracted);
     computeStatistics(extracted);
-    reseedTimeSurface(begins);
+    reseedTimeSurface(
+        begins && nClassified_ > 0 ? appearedInterface(extracted.piece)
+                                   : result_.interface
+    );
     computeConfidence();
     result_.droplets = gatheredDroplets(result_.droplets, exchange_);
 
     lastClassified_ = latest_->time;
+    history_.begin(latestVelocity_);
     ++nClassified_;
     return result_;
 }

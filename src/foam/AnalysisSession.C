@@ -8,9 +8,11 @@
 #include "core/comparison/StabilityTables.H"
 #include "core/ranks/Exchange.H"
 #include "fvMesh.H"
+#include "unitConversion.H"
 
 #include <cmath>
 #include <optional>
+#include <sstream>
 
 namespace Foam::stability
 {
@@ -29,6 +31,25 @@ void checkFinite(const Statistics& statistics)
             );
         }
     }
+}
+
+// How a mesh of one layer of cells is taken, with what it spans across its section.
+std::string description(const PlaneSection& section)
+{
+    std::ostringstream text;
+    text << (section.wedge ? "wedge" : "two-dimensional mesh")
+         << ": its section across " << textOf(section.normal);
+    if (!section.wedge)
+    {
+        text << ", " << section.meshThickness << " m thick";
+        return text.str();
+    }
+    const scalar angle = 2 * radToDeg(std::atan(section.meshThickness / 2));
+    text << ", around the axis " << textOf(section.axis) << " through "
+         << textOf(section.axisPoint) << ", " << angle
+         << " degrees; areas and volumes are those of the wedge, times " << 360 / angle
+         << " for the whole";
+    return text.str();
 }
 
 } // namespace
@@ -86,8 +107,9 @@ void AnalysisSession::prepareResults()
                     std::make_unique<ResultFolder>(path_, controls_.writePrecision);
             }
         );
-        series_ =
-            std::make_unique<ResultSeries>(path_, controls_.surfaceParts, messages_);
+        series_ = std::make_unique<ResultSeries>(
+            path_, controls_.surfaceParts, snapshots_.section(), messages_
+        );
     }
 }
 
@@ -285,11 +307,21 @@ void AnalysisSession::announce() const
                  << later.matching.epsilon.value
                  << (later.matching.epsilon.relative ? " cells" : " m") << nl;
         }
+        if (snapshots_.section())
+        {
+            Info << "    " << description(*snapshots_.section()).c_str() << nl;
+        }
         if (controls_.writeToFile)
         {
             Info << "    results in " << mesh_.time().relativePath(path_) << nl;
         }
         Info << endl;
+    }
+    for (const WallPatch& wall : snapshots_.walls())
+    {
+        Info << "interfaceStability: patch " << wall.name
+             << " is taken for a wall: its velocity (" << wall.condition
+             << ") runs along it" << nl << endl;
     }
     for (const std::string& patch : snapshots_.openCoupled())
     {

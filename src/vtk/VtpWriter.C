@@ -135,6 +135,16 @@ void addGenerator(vtkPolyData& data)
     data.GetFieldData()->AddArray(name);
 }
 
+// A reader that shows it face-on must know of the section.
+void addSection(vtkPolyData& data, const vector& normal)
+{
+    vtkNew<vtkDoubleArray> value;
+    value->SetName("sectionNormal");
+    value->SetNumberOfComponents(3);
+    value->InsertNextTuple3(normal.x(), normal.y(), normal.z());
+    data.GetFieldData()->AddArray(value);
+}
+
 vtkSmartPointer<vtkPolyData> polyData(const ResultSurface& surface)
 {
     auto data = vtkSmartPointer<vtkPolyData>::New();
@@ -153,6 +163,10 @@ vtkSmartPointer<vtkPolyData> polyData(const ResultSurface& surface)
     }
     addTime(*data, surface.time);
     addGenerator(*data);
+    if (surface.sectionNormal)
+    {
+        addSection(*data, *surface.sectionNormal);
+    }
     return data;
 }
 

@@ -72,7 +72,7 @@ class Survival:
         for index in indices:
             t, m = run.surface("timeSurface", index), run.surface("interface", index)
             self.area += m.triangle_areas().sum() / len(indices)
-            present = np.where(t["stability"] == 3, 0, t.point_areas())
+            present = np.where(t["stability"] == 5, 0, t.inside_areas())
             for part, mask in self._parts(run, resolution, index, t):
                 of_part = present[mask]
                 areas[part] += of_part.sum()
@@ -84,7 +84,7 @@ class Survival:
 
     @staticmethod
     def _parts(run, resolution, index, t):
-        before = run.surface("interface" if index > 1 else "timeSurface", index - 1)
+        before = run.surface("interface", index - 1)
         start = np.zeros((before["vertex"].max() + 1, 3))
         start[before["vertex"]] = before.points
         h = 1 / resolution.cells

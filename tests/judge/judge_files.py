@@ -29,6 +29,8 @@ ARRAYS = {
         "confidence": (1, False),
         "thin": (1, True),
         "subGrid": (1, True),
+        "nearWall": (1, True),
+        "fromOutside": (1, True),
         "preimageCount": (1, True),
         "component": (1, True),
     },
@@ -43,6 +45,7 @@ ARRAYS = {
         "thin": (1, True),
         "subGrid": (1, True),
         "nearWall": (1, True),
+        "fromOutside": (1, True),
     },
     "particles": {
         "id": (1, True),
@@ -54,12 +57,13 @@ ARRAYS = {
         "component": (1, True),
         "weight": (1, False),
         "nearWall": (1, True),
+        "fromOutside": (1, True),
         "state": (1, True),
     },
 }
-CLASSES = {"interface": {0, 1}, "timeSurface": {0, 2, 3}}
+CLASSES = {"interface": {0, 1, 4}, "timeSurface": {0, 2, 3}}
 TABLES = ("stability.dat", "survival.dat", "droplets.dat", "timing.dat")
-MAY_BE_CONSTANT = {"cellSize", "component", "preimageCount", "state", "subGrid", "thin"}
+MAY_BE_CONSTANT = {"cellSize", "component", "fromOutside", "preimageCount", "state", "subGrid", "thin"}
 
 
 class Findings:
@@ -249,11 +253,15 @@ def check_texture_coordinates(findings, surface, texture):
         np.array_equal(worn[tracked], p[tracked]),
         name,
     )
-    if len(corners) and not np.all(tracked):
-        brightest = texture.colours(worn[~tracked].reshape(-1, 2)).max()
-        findings.require(
-            "attached and mixed triangles are black", brightest < 8, f"{name}: {brightest}"
-        )
+    entered = np.any((surface["fromOutside"] == 1)[corners], axis=1)
+    entered &= ~np.any((surface["stability"] == 1)[corners], axis=1)
+    for part, colour, why in (
+        (~tracked & ~entered, (0, 0, 0), "attached and mixed triangles are black"),
+        (~tracked & entered, (120, 80, 40), "triangles that entered are brown"),
+    ):
+        if np.any(part):
+            off = np.abs(texture.colours(worn[part].reshape(-1, 2)) - np.array(colour)).max()
+            findings.require(why, off < 8, f"{name}: off by {off}")
     if np.any(tracked):
         centres = worn[tracked].mean(axis=1)
         darkest = texture.colours(centres).max(axis=1).min()
@@ -271,7 +279,7 @@ def check_row(findings, row, m, t, cloud):
         )
 
     of_m, area = m.point_areas(), m.triangle_areas().sum()
-    of_t, t_area = t.point_areas(), t.triangle_areas().sum()
+    of_t, t_area = t.inside_areas(), t.triangle_areas().sum()
     detached = t["stability"] == 2
     near = t["nearWall"] == 1
     with_p = np.all(m.has_p()[m.triangles], axis=1)
@@ -279,8 +287,16 @@ def check_row(findings, row, m, t, cloud):
     agrees("vertices", len(np.unique(m["vertex"])), 1)
     agrees("triangles", len(m.triangles), 1)
     agrees("area", area, area)
-    agrees("stableArea", of_m[m["stability"] == 0].sum(), area)
-    agrees("attachedArea", of_m[m["stability"] == 1].sum(), area)
+    attached = m["stability"] == 1
+    if row["enteredArea"] == 0:
+        by_wall = m["nearWall"] == 1
+        tiny = (m["thin"] == 1) | (m["subGrid"] == 1)
+        agrees("stableArea", of_m[m["stability"] == 0].sum(), area)
+        agrees("attachedArea", of_m[attached].sum(), area)
+        agrees("attachedNearWalls", of_m[attached & by_wall].sum(), area)
+        agrees("attachedThin", of_m[attached & ~by_wall & tiny].sum(), area)
+        agrees("attachedResolved", of_m[attached & ~by_wall & ~tiny].sum(), area)
+    agrees("area", row["stableArea"] + row["attachedArea"] + row["enteredArea"], area)
     agrees("detachedNearWalls", of_t[detached & near].sum(), t_area)
     agrees("detachedElsewhere", of_t[detached & ~near].sum(), t_area)
     small = (t["thin"] == 1) | (t["subGrid"] == 1)
@@ -292,9 +308,15 @@ def check_row(findings, row, m, t, cloud):
         abs(told - of_t[detached].sum()) <= 2e-5 * max(t_area, 1e-300),
         f"{told:g} m2 at {row['Time']:g} s",
     )
-    agrees("leftArea", of_t[t["stability"] == 3].sum(), t_area)
-    if area > 0:
-        agrees("stableFraction", of_m[m["stability"] == 0].sum() / area, 1)
+    findings.require(
+        "what left has an area",
+        row["leftArea"] == 0 or np.any(t["stability"] == 3),
+        f"{row['leftArea']:g} m2 at {row['Time']:g} s, but no point left",
+    )
+    if of_t.sum() > 0:
+        agrees("keptFraction", of_t[t["stability"] == 0].sum() / of_t.sum(), 1)
+    if area > row["enteredArea"]:
+        agrees("stableFraction", row["stableArea"] / (area - row["enteredArea"]), 1)
         agrees("coverage", m.triangle_areas()[with_p].sum() / area, 1)
     agrees("particles", cloud.n, 1)
 
@@ -312,7 +334,7 @@ def check_drift(findings, m, t, row, interval):
                 not wrong and not still,
                 f"{wrong} in {surface.path.name}",
             )
-    areas = np.where(t["stability"] == 3, 0, t.point_areas()) if t.n else np.zeros(0)
+    areas = np.where(np.isin(t["stability"], (3, 5)), 0, t.point_areas()) if t.n else np.zeros(0)
     sizes = np.abs(t["driftSpeed"]) if t.n else np.zeros(0)
     for percent in (50, 90, 99):
         value = row[f"driftSpeed{percent}"]

@@ -79,9 +79,15 @@ class Surface:
         thirds = np.repeat(self.triangle_areas() / 3, 3)
         return np.bincount(self.triangles.ravel(), thirds, minlength=self.n)
 
+    def inside_areas(self):
+        """The same among the points that did not leave the domain; zero at the others."""
+        inside = (self["stability"] != 3)[self.triangles]
+        shares = self.triangle_areas()[:, None] * inside / np.maximum(inside.sum(axis=1), 1)[:, None]
+        return np.bincount(self.triangles.ravel(), shares.ravel(), minlength=self.n)
+
     def share_beyond(self, distance):
         """By area, of what did not leave the domain: farther from the other surface."""
-        areas = np.where(self["stability"] == 3, 0, self.point_areas())
+        areas = self.inside_areas()
         return areas[self["distance"] > distance].sum() / areas.sum()
 
     def has_p(self):

@@ -19,7 +19,7 @@ from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLWriter
 
 from results import Run, Surface
 
-AREAS = ("area", "stableArea", "attachedArea", "detachedNearWalls", "detachedElsewhere", "leftArea")
+AREAS = ("area", "stableArea", "attachedArea", "detachedNearWalls", "detachedElsewhere", "leftArea", "enteredArea")
 
 
 def compare_areas(before, after, relative):

@@ -2,6 +2,9 @@
 
 #include "shapes/CutOut.H"
 
+#include "core/cells/ThinWallPoints.H"
+#include "core/cells/ThinWallSearch.H"
+
 namespace Foam::stability::shapes
 {
 
@@ -96,6 +99,15 @@ CellComplexInput cutOut(
         }
     }
     return to;
+}
+
+std::shared_ptr<const CellComplex> withThinWalls(CellComplexInput mesh)
+{
+    splitThinWallPoints(mesh);
+    WholeMesh whole(CellComplex(mesh).whole());
+    whole.thinWalls = findThinWalls(mesh, nullptr, SerialExchange());
+    mesh.whole = whole;
+    return std::make_shared<const CellComplex>(std::move(mesh));
 }
 
 } // namespace Foam::stability::shapes

@@ -41,7 +41,9 @@ PackingResult packCharts(const List<List<vector2D>>& charts, scalar gutter)
     {
         if (boxes.placed)
         {
-            result.charts[i] = moved(result.charts[i], boxes.corners[i], boxes.scale);
+            result.charts[i] = moved(
+                result.charts[i], boxes.corners[i], vector2D(boxes.scale, boxes.scale)
+            );
         }
     }
     return result;

@@ -94,6 +94,14 @@ std::vector<ZooMesh> hexahedra()
     ZooMesh shuffled = scaled(1, Zero);
     shuffled.make = [plain] { return renumbered(plain(), 7); };
     add("renumbered", shuffled);
+    ZooMesh stray = scaled(1, Zero);
+    stray.make = [plain]
+    {
+        CellComplexInput input(plain());
+        input.points.append(point(2e6, -1e7, 3e6));
+        return renumbered(input, 17);
+    };
+    add("strayPoint", stray);
     return meshes;
 }
 

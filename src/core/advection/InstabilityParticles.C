@@ -3,6 +3,7 @@
 #include "core/advection/InstabilityParticles.H"
 
 #include "core/flow/Travel.H"
+#include "core/surface/Ribbon.H"
 #include "core/surface/pieces/KeyOrder.H"
 
 #include <algorithm>
@@ -81,8 +82,18 @@ Pathline& pathOf(Seed& seed)
 class Seeding
 {
 public:
-    Seeding(const ClassifiedSurface& surface, const SurfaceHalo& halo)
-        : surface_(surface), mesh_(surface.mesh), halo_(halo)
+    Seeding(
+        const ClassifiedSurface& surface, const SurfaceHalo& halo,
+        const std::optional<PlaneSection>& section
+    )
+        : surface_(surface), mesh_(surface.mesh), halo_(halo), section_(section),
+          pairs_(
+              section ? pairsAcross(mesh_, *section) : identity(mesh_.points.size())
+          ),
+          mates_(
+              section ? stripMates(mesh_, pairs_, *section)
+                      : identity(mesh_.triangles.size())
+          )
     {
         addPoints();
         addTriangles();
@@ -92,9 +103,69 @@ public:
     DynamicList<TriangleKey> pointKeys, triangleKeys;
 
 private:
+    // In two dimensions a pair of points, or the two triangles of a strip, shed one
+    // particle, which lies between them.
+    static void between(InstabilityParticle& particle, const InstabilityParticle& other)
+    {
+        particle.path.x = 0.5 * (particle.path.x + other.path.x);
+        particle.origin = 0.5 * (particle.origin + other.origin);
+        particle.weight += other.weight;
+        if (particle.parameter.x() >= 0 && other.parameter.x() >= 0)
+        {
+            particle.parameter = 0.5 * (particle.parameter + other.parameter);
+        }
+    }
+
+    void place(InstabilityParticle& particle) const
+    {
+        particle.path.x =
+            section_ ? section_->inMiddle(particle.path.x) : particle.path.x;
+    }
+
+    InstabilityParticle atPoint(label pointi, const Provenance& known) const
+    {
+        InstabilityParticle particle;
+        particle.path.x = mesh_.points[pointi];
+        particle.path.hint.cell = mesh_.cells[pointi];
+        particle.parameter = known.parameter;
+        particle.origin = known.origin;
+        particle.component = surface_.components[pointi];
+        markAs(surface_, pointi, particle);
+        particle.weight = 0.5 * surface_.areas[pointi];
+        return particle;
+    }
+
+    InstabilityParticle atTriangle(label trianglei) const
+    {
+        const triFace& t = mesh_.triangles[trianglei];
+        InstabilityParticle particle;
+        particle.path.x = mesh_.centre(trianglei);
+        particle.path.hint.cell = mesh_.cells[t[0]];
+        particle.parameter = centreParameter(mesh_, trianglei);
+        particle.origin = (mesh_.origin(trianglei, 0) + mesh_.origin(trianglei, 1)
+                           + mesh_.origin(trianglei, 2))
+                          / 3;
+        particle.component = surface_.components[t[0]];
+        markAs(
+            surface_,
+            detached(t[0])   ? t[0]
+            : detached(t[1]) ? t[1]
+                             : t[2],
+            particle
+        );
+        particle.weight = 0.5 * areaInMesh(mesh_, trianglei, section_);
+        return particle;
+    }
+
     bool detached(label pointi) const
     {
         return surface_.stability[pointi] == Stability::detached;
+    }
+
+    // No triangle of such a corner says where the flow carried it.
+    bool untracked(label pointi) const
+    {
+        return surface_.stability[pointi] == Stability::untracked;
     }
 
     // Each point gets the key of its first triangle, which is own for primary points.
@@ -107,20 +178,19 @@ private:
             for (label k = 0; k < 3; ++k)
             {
                 const label pointi = mesh_.triangles[trianglei][k];
+                const label other = pairs_[pointi];
                 if (met[pointi] || !surface_.isPrimary[pointi] || !detached(pointi))
                 {
                     continue;
                 }
-                met[pointi] = true;
+                met[pointi] = met[other] = true;
                 Seed seed;
-                InstabilityParticle& particle = seed.particle;
-                particle.path.x = mesh_.points[pointi];
-                particle.path.hint.cell = mesh_.cells[pointi];
-                particle.parameter = known[pointi].parameter;
-                particle.origin = known[pointi].origin;
-                particle.component = surface_.components[pointi];
-                markAs(surface_, pointi, particle);
-                particle.weight = 0.5 * surface_.areas[pointi];
+                seed.particle = atPoint(pointi, known[pointi]);
+                if (other != pointi)
+                {
+                    between(seed.particle, atPoint(other, known[other]));
+                }
+                place(seed.particle);
                 points.append(seed);
                 TriangleKey key(halo_.piece().keys[trianglei]);
                 key.place = 3 * key.place + k;
@@ -134,29 +204,22 @@ private:
         forAll(mesh_.triangles, trianglei)
         {
             const triFace& t = mesh_.triangles[trianglei];
+            const label mate = mates_[trianglei];
             if (!halo_.isOwn(trianglei)
-                || !(detached(t[0]) || detached(t[1]) || detached(t[2])))
+                || !(detached(t[0]) || detached(t[1]) || detached(t[2]))
+                || untracked(t[0]) || untracked(t[1]) || untracked(t[2])
+                || mate < trianglei)
             {
                 continue;
             }
             Seed seed;
             seed.near = true;
-            InstabilityParticle& particle = seed.particle;
-            particle.path.x = mesh_.centre(trianglei);
-            particle.path.hint.cell = mesh_.cells[t[0]];
-            particle.parameter = centreParameter(mesh_, trianglei);
-            particle.origin = (mesh_.origin(trianglei, 0) + mesh_.origin(trianglei, 1)
-                               + mesh_.origin(trianglei, 2))
-                              / 3;
-            particle.component = surface_.components[t[0]];
-            markAs(
-                surface_,
-                detached(t[0])   ? t[0]
-                : detached(t[1]) ? t[1]
-                                 : t[2],
-                particle
-            );
-            particle.weight = 0.5 * mag(mesh_.areaVector(trianglei));
+            seed.particle = atTriangle(trianglei);
+            if (mate != trianglei)
+            {
+                between(seed.particle, atTriangle(mate));
+            }
+            place(seed.particle);
             triangles.append(seed);
             triangleKeys.append(halo_.piece().keys[trianglei]);
         }
@@ -165,6 +228,9 @@ private:
     const ClassifiedSurface& surface_;
     const InterfaceMesh& mesh_;
     const SurfaceHalo& halo_;
+    const std::optional<PlaneSection>& section_;
+    labelList pairs_; // of points
+    labelList mates_; // of triangles
 };
 
 } // namespace
@@ -174,7 +240,7 @@ void InstabilityParticles::seed(
     const CellComplex& complex, scalar time, const Exchange& exchange
 )
 {
-    Seeding seeding(timeSurface, halo);
+    Seeding seeding(timeSurface, halo, complex.whole().section);
     DynamicList<Seed> seeds;
     const auto number = [&](const UList<TriangleKey>& keys, DynamicList<Seed>& some)
     {

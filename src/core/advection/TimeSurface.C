@@ -21,7 +21,9 @@ struct Arrival
     point x;         // [m]
     label cell;      // global; -1: none
     scalar cellSize; // [m]
-    bool nearWall, left;
+    bool nearWall;
+    PathlineState state;
+    vector beyond; // [m], Crossings::beyond
 };
 
 // The image of the cell in which the pathline would be, had it not been brought back.
@@ -40,14 +42,15 @@ void TimeSurface::send(
 )
 {
     const InterfaceMesh& mesh = piece_.mesh;
-    left_ = List<bool>(mesh.points.size(), false);
+    left_ = Crossings(mesh.points.size());
+    states_ = List<PathlineState>(mesh.points.size(), PathlineState::moving);
     pathlines_.clear();
     forAll(mesh.points, pointi)
     {
         Pathline path;
         path.id = pointi;
         path.home = exchange.rank();
-        path.x = path.start = mesh.points[pointi];
+        path.x = path.start = complex.whole().inMiddle(mesh.points[pointi]);
         path.isPrimary = marks_.isPrimary[pointi];
         path.weight = path.isPrimary ? marks_.areas[pointi] : 0;
         path.time = time;
@@ -88,7 +91,7 @@ void TimeSurface::seedRemeshed(
             }
         }
     );
-    collectPoints(complex, exchange);
+    collectPoints(time, complex, exchange);
     send(time, complex, exchange); // some have changed rank
 }
 
@@ -118,8 +121,11 @@ TimeSurface::displacement(const CellComplex& complex, const Exchange& exchange) 
     return weight > 0 ? std::sqrt(sums[0].value() / weight) : 0;
 }
 
-void TimeSurface::collectPoints(const CellComplex& complex, const Exchange& exchange)
+void TimeSurface::collectPoints(
+    scalar time, const CellComplex& complex, const Exchange& exchange
+)
 {
+    const std::optional<PlaneSection>& section = complex.whole().section;
     std::vector<DynamicList<Arrival>> toRanks(exchange.nRanks());
     for (const Pathline& path : pathlines_)
     {
@@ -130,15 +136,24 @@ void TimeSurface::collectPoints(const CellComplex& complex, const Exchange& exch
         arrival.cell = celli < 0 ? -1 : unwrappedCell(path, complex);
         arrival.cellSize = celli < 0 ? 0 : complex.cellSizes()[celli];
         arrival.nearWall = celli >= 0 && complex.nearWall(celli);
-        arrival.left = path.state == PathlineState::left;
+        arrival.state = path.state;
+        const bool left = path.state == PathlineState::left;
+        arrival.beyond = left ? beyondExit(path, time) : vector(Zero);
         toRanks[path.home].append(arrival);
     }
     for (const List<Arrival>& arrivals : exchange.exchangeLists(toRanks))
     {
         for (const Arrival& arrival : arrivals)
         {
-            piece_.mesh.points[arrival.id] = arrival.x;
-            left_[arrival.id] = arrival.left;
+            const point& old = piece_.mesh.points[arrival.id];
+            piece_.mesh.points[arrival.id] =
+                section ? section->inPlane(arrival.x)
+                              + (old & section->normal) * section->normal
+                        : arrival.x;
+            states_[arrival.id] = arrival.state;
+            left_.crossed[arrival.id] = arrival.state == PathlineState::left;
+            left_.ends[arrival.id] = piece_.mesh.points[arrival.id];
+            left_.beyond[arrival.id] = arrival.beyond;
             if (arrival.cell >= 0)
             {
                 piece_.mesh.cells[arrival.id] = arrival.cell;

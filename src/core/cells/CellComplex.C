@@ -30,16 +30,6 @@ scalar tetQuality(const point& apex, const point& a, const point& b, const point
     return ((da ^ db) & dc) / max(pow3(longest), VSMALL);
 }
 
-scalar shareOfTetrahedra(const Rows& cellFaces)
-{
-    label n = 0;
-    for (label celli = 0; celli < cellFaces.size(); ++celli)
-    {
-        n += cellFaces[celli].size() == 4;
-    }
-    return scalar(n) / cellFaces.size();
-}
-
 } // namespace
 
 Rows facesOfCells(const CellComplexInput& mesh)
@@ -70,28 +60,40 @@ Rows facesOfCells(const CellComplexInput& mesh)
     );
 }
 
+boundBox boundsOf(const CellComplexInput& mesh)
+{
+    boundBox bounds;
+    for (const face& f : mesh.faces)
+    {
+        for (const label pointi : f)
+        {
+            bounds.add(mesh.points[pointi]);
+        }
+    }
+    return bounds;
+}
+
 CellComplex::CellComplex(CellComplexInput input) : input_(std::move(input))
 {
     if (input_.nCells == 0 && !(input_.whole && input_.whole->nCells() > 0))
     {
         throw BadInput("The mesh has no cells: nothing can be analysed on it.");
     }
+    bounds_ = boundsOf(input_);
+    if (!input_.whole)
+    {
+        input_.whole.emplace();
+        input_.whole->bounds = bounds_;
+    }
     computeAddressing();
     computeFaces();
     computeCells();
     chooseTetBases();
-    bounds_ = boundBox(points(), false);
     bins_ = CellBins(*this);
     countRings();
     forAll(input_.globalCells, celli)
     {
         localCells_.insert(input_.globalCells[celli], celli);
-    }
-    if (!input_.whole)
-    {
-        input_.whole.emplace();
-        input_.whole->bounds = bounds_;
-        input_.whole->tetrahedra = shareOfTetrahedra(cellFaces_);
     }
 }
 
@@ -204,7 +206,8 @@ void CellComplex::addressBoundary()
         {
             for (label facei = nInternalFaces(); facei < nFaces(); ++facei)
             {
-                if (kinds()[facei - nInternalFaces()] != BoundaryKind::coupledUnknown)
+                if (kinds()[facei - nInternalFaces()] != BoundaryKind::coupledUnknown
+                    && !isEnd(facei))
                 {
                     for (const label pointi : faces()[facei])
                     {
@@ -240,6 +243,8 @@ void CellComplex::computeFaces()
     for (label facei = 0; facei < nFaces(); ++facei)
     {
         faceGeometry(faces()[facei], points(), faceCentres_[facei], faceAreas_[facei]);
+        faceCentres_[facei] =
+            isEnd(facei) ? faceCentres_[facei] : whole().inMiddle(faceCentres_[facei]);
     }
 }
 
@@ -247,6 +252,7 @@ void CellComplex::computeCells()
 {
     cellVolumes_.setSize(nCells());
     cellSizes_.setSize(nCells());
+    const std::optional<PlaneSection>& section = whole().section;
     for (label celli = 0; celli < nCells(); ++celli)
     {
         const auto& cellFaces = cellFaces_[celli];
@@ -284,8 +290,9 @@ void CellComplex::computeCells()
             );
         }
         cellVolumes_[celli] = volume;
-        cellSizes_[celli] = std::cbrt(volume);
-        cellCentres_[celli] = estimate + moment / volume;
+        cellSizes_[celli] =
+            section ? std::sqrt(volume / section->thickness) : std::cbrt(volume);
+        cellCentres_[celli] = whole().inMiddle(estimate + moment / volume);
     }
 }
 

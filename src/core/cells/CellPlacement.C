@@ -22,7 +22,8 @@ scalar transgression(const CellComplex& complex, label celli, const point& x)
         const scalar area = mag(S);
         if (area > 0)
         {
-            const vector arm = x - complex.faceCentres()[facei];
+            const vector arm =
+                complex.whole().inMiddle(x) - complex.faceCentres()[facei];
             largest = max(largest, outwards * (arm & S) / area);
         }
     }
@@ -39,7 +40,7 @@ bool passes(const CellComplex& complex, label facei, const point& x, scalar dist
     forAll(f, k)
     {
         const triPointRef triangle(centre, points[f[k]], points[f.nextLabel(k)]);
-        if (triangle.nearestPoint(x).distance() <= distance)
+        if (triangle.nearestPoint(complex.whole().inMiddle(x)).distance() <= distance)
         {
             return true;
         }

@@ -59,18 +59,20 @@ bool touchesBoundary(const CellComplex& complex, label celli)
 
 scalar spanOf(const CellComplex& complex, label celli)
 {
+    const WholeMesh& whole = complex.whole();
     scalar farthest = 0;
     for (const label facei : complex.cellFaces()[celli])
     {
         for (const label pointi : complex.faces()[facei])
         {
             farthest = std::max(
-                farthest,
-                magSqr(complex.points()[pointi] - complex.cellCentres()[celli])
+                farthest, magSqr(whole.inPlane(
+                              complex.points()[pointi] - complex.cellCentres()[celli]
+                          ))
             );
         }
     }
-    return 2 * std::sqrt(farthest / 3);
+    return 2 * std::sqrt(farthest / (whole.section ? 2 : 3));
 }
 
 vector gradientOver(

@@ -207,7 +207,8 @@ label PeriodicImages::representative(const UList<label>& images) const
 }
 
 // F must not see shifts: A vanishes along them, and along what rotations make of them.
-std::optional<PeriodicImages::LinearField> PeriodicImages::invariantField() const
+std::optional<PeriodicImages::LinearField>
+PeriodicImages::invariantField(const vector& across) const
 {
     constexpr scalar same = 1e-6;
     const scalar length = 0.5 * mag(corners_.last() - corners_.first());
@@ -241,6 +242,7 @@ std::optional<PeriodicImages::LinearField> PeriodicImages::invariantField() cons
             blind.append(v / mag(v));
         }
     };
+    add(across);
     for (const vector& shift : shifts)
     {
         add(shift);

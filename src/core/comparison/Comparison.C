@@ -2,8 +2,11 @@
 
 #include "core/comparison/Comparison.H"
 
+#include "core/comparison/Inflow.H"
 #include "core/ranks/ExactSum.H"
 #include "core/surface/InterfaceMotion.H"
+#include "core/surface/Ribbon.H"
+#include "core/surface/pieces/SharedPoints.H"
 
 #include <algorithm>
 
@@ -142,11 +145,12 @@ void Comparison::match()
         [&]
         {
             const MatchingOptions& options = setting_.matching;
-            target_.emplace(timeSurface_.mesh(), options);
+            const ThinWalls* walls = setting_.whole().thinWalls.get();
+            target_.emplace(timeSurface_.mesh(), options, walls);
             onInterface_ = matchPoints(near_.mesh, *target_, options);
             onTimeSurface_ = matchPoints(
-                timeSurface_.mesh(), MatchTarget(interface_.mesh(), options), options,
-                timeSurface_.owned()
+                timeSurface_.mesh(), MatchTarget(interface_.mesh(), options, walls),
+                options, timeSurface_.owned()
             );
         }
     );
@@ -169,7 +173,7 @@ TransferResult Comparison::carryOver(const DistributedChart& chart)
             timeSurface_.piece(), target_->topology(), timeSurface_.ownTriangles(),
             exchange
         ),
-        own_};
+        own_, setting_.section()};
     split_ = near_.mesh;
     useLocalCells(split_, setting_.complex());
     TransferResult result;
@@ -202,16 +206,32 @@ ClassifiedSurface Comparison::describeInterface(std::vector<Droplet>& droplets) 
     ClassifiedSurface interface(stability::describe(
         split_, onInterface_, Stability::attached, nearWall, setting_.interval
     ));
+    const List<bool> camePreviously(enteredBefore(owned_, timeSurface_));
+    interface.fromOutside.setSize(nearWall.size(), false);
+    forAll(nearWall, pointi)
+    {
+        const Match& match = onInterface_[pointi];
+        interface.fromOutside[pointi] =
+            match.stable && camePreviously[match.nearest.triangle];
+    }
     InterfaceMesh mesh(split_);
     useGlobalCells(mesh, setting_.complex());
-    const JoinedSurface own(ownParts(mesh, parents_, near_, own_));
+    JoinedSurface own(ownParts(mesh, parents_, near_, own_));
+    const List<NamedPoint> shared(makeOnAllRanks(
+        setting_.run.ranks,
+        [&] { return sharedPoints(own, mesh, parents_, near_, own_); }
+    ));
+    agreeOnPoints(own.piece, shared, setting_.run.ranks);
     select(interface, own.pointSources);
     interface.order = own.piece;
     interface.mesh = own.piece.mesh;
 
     const SurfaceHalo halo(surroundings(own.piece, setting_));
-    const Components components(halo, setting_.referencePoint(), setting_.run.ranks);
-    interface.areas = halo.toOwned(halo.mesh().pointAreas());
+    const std::optional<PlaneSection>& section = setting_.section();
+    const Components components(
+        halo, setting_.referencePoint(), setting_.run.ranks, section
+    );
+    interface.areas = halo.toOwned(pointAreasInMesh(halo.mesh(), section));
     interface.isPrimary = halo.toOwned(halo.primaryPoints());
     interface.components = halo.toOwned(components.ofPoints());
     SmallScales scales(
@@ -220,6 +240,16 @@ ClassifiedSurface Comparison::describeInterface(std::vector<Droplet>& droplets) 
     interface.thin = halo.toOwned(scales.thin);
     interface.subGrid = halo.toOwned(scales.subGrid);
     fillMarks(interface, interface.mesh.points.size());
+    if (setting_.history && !setting_.history->empty())
+    {
+        const List<bool> mayEnter(
+            mayHaveEntered(onInterface_, *target_, owned_.piece().sharesPoints)
+        );
+        findEntered(
+            interface, halo, List<bool>(UList<bool>(mayEnter), own.pointSources),
+            setting_
+        );
+    }
     droplets = std::move(scales.droplets);
     return interface;
 }
@@ -249,13 +279,29 @@ ClassifiedSurface describe(
     ));
     forEachMark([&](const char*, const MarkFiles&, const auto& mark)
                 { mark(surface) = halo.toHalo(mark(marks)); });
-    surface.areas = halo.mesh().pointAreas(); // as they are now
-    const List<bool> left(halo.toHalo(timeSurface.left()));
-    forAll(left, pointi)
+    Crossings& left = surface.crossings;
+    left.crossed = halo.toHalo(timeSurface.left().crossed);
+    left.ends = halo.toHalo(timeSurface.left().ends);
+    left.beyond = halo.toHalo(timeSurface.left().beyond);
+    // As they are now: what left lies flat on the boundary.
+    surface.areas = pointAreas(
+        halo.mesh(),
+        halo.triangleValues(
+            cornerShares(timeSurface.piece().mesh.triangles, timeSurface.left(), false)
+        ),
+        setting.section()
+    );
+    const List<PathlineState> states(halo.toHalo(timeSurface.states()));
+    forAll(states, pointi)
     {
-        if (left[pointi])
+        Stability& stability = surface.stability[pointi];
+        if (states[pointi] == PathlineState::left)
         {
-            surface.stability[pointi] = Stability::left;
+            stability = Stability::left;
+        }
+        else if (states[pointi] != PathlineState::moving && stability == Stability::detached)
+        {
+            stability = Stability::untracked;
         }
     }
     surface.components =

@@ -17,13 +17,16 @@ namespace
 constexpr scalar around = 4; // [cells], of what a droplet is judged by
 constexpr label nRings = 6;
 
-List<bool> smallTriangles(const SurfacePiece& owned, const Components& components)
+List<bool> smallTriangles(
+    const SurfacePiece& owned, const Components& components, const WholeMesh& mesh
+)
 {
     List<bool> small(owned.mesh.triangles.size());
     forAll(small, trianglei)
     {
         const Components::Body& body = components.bodyOf(trianglei);
-        small[trianglei] = body.closed && mayBeSubGrid(body.volume, body.cellSize);
+        small[trianglei] =
+            body.closed && mayBeSubGrid(body.volume, body.cellSize, mesh.section);
     }
     return small;
 }
@@ -110,9 +113,10 @@ std::vector<Droplet> dropletsAtHome(
     const std::shared_ptr<const FlowSnapshot>& snapshot, const Exchange& exchange
 )
 {
-    const WholeComponents whole(
-        wholeComponents(owned, components, smallTriangles(owned, components), exchange)
-    );
+    const WholeComponents whole(wholeComponents(
+        owned, components,
+        smallTriangles(owned, components, snapshot->complex->whole()), exchange
+    ));
     if (exchange.total(whole.components.size()) == 0)
     {
         return {};
@@ -142,11 +146,11 @@ std::vector<Droplet> dropletsAtHome(
 // One entry per owned triangle: true if it belongs to a droplet, which may be at home
 // on another rank.
 List<bool> ofDroplets(
-    const SurfacePiece& owned, const Components& components,
+    const SurfacePiece& owned, const Components& components, const WholeMesh& mesh,
     const std::vector<Droplet>& droplets, const Exchange& exchange
 )
 {
-    const List<bool> small(smallTriangles(owned, components));
+    const List<bool> small(smallTriangles(owned, components, mesh));
     const labelList numbers(components.ofOwnedTriangles());
     std::vector<DynamicList<label>> questions(exchange.nRanks());
     forAll(small, trianglei)
@@ -197,8 +201,9 @@ SmallScales smallScales(
         run.ranks, [&] { scales.thin = thinPoints(halo.mesh(), run.nThreads); }
     );
     scales.droplets = dropletsAtHome(owned, components, snapshot, run.ranks);
-    const List<bool> triangles(ofDroplets(owned, components, scales.droplets, run.ranks)
-    );
+    const List<bool> triangles(ofDroplets(
+        owned, components, snapshot->complex->whole(), scales.droplets, run.ranks
+    ));
     scales.subGrid.setSize(halo.mesh().points.size(), false);
     forAll(halo.mesh().triangles, trianglei)
     {

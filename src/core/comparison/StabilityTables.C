@@ -33,8 +33,11 @@ std::vector<TableColumn<Statistics>> stabilityColumns()
          &S::detachedNearWall},
         {"detachedElsewhere", "m2", "detached area of T elsewhere",
          &S::detachedElsewhere},
-        {"leftArea", "m2", "area of T that left the domain", &S::leftArea},
-        {"stableFraction", "-", "fraction of the area of M that is stable",
+        {"leftArea", "m2",
+         "area of T that left the domain, as it was at the last classified time",
+         &S::leftArea},
+        {"stableFraction", "-",
+         "fraction of the area of M, without what entered, that is stable",
          &S::stableFraction},
         {"coverage", "-", "fraction of the area of M with parameters", &S::coverage},
         {"particles", "-", "instability particles that were shed since the start",
@@ -65,6 +68,19 @@ std::vector<TableColumn<Statistics>> stabilityColumns()
          &S::detachedThin},
         {"detachedResolved", "m2", "part of `detachedElsewhere` that was neither",
          &S::detachedResolved},
+        {"attachedNearWalls", "m2", "attached area of M in cells with a wall face",
+         &S::attachedNearWall},
+        {"attachedThin", "m2", "attached area of M elsewhere that is thin or sub-grid",
+         &S::attachedThin},
+        {"attachedResolved", "m2", "attached area of M elsewhere that is neither",
+         &S::attachedResolved},
+        {"enteredArea", "m2",
+         "area of M that the flow brought in through open boundaries since the last "
+         "classified time",
+         &S::enteredArea},
+        {"keptFraction", "-",
+         "fraction of the area of T, without what left, that is stable",
+         &S::keptFraction},
     };
 }
 
@@ -85,7 +101,8 @@ std::vector<TableColumn<Statistics>> survivalColumns()
     {
         columns.push_back(
             {survivalColumn("attached", i), "-",
-             "fraction of the area of M farther than so many cells from T",
+             "fraction of the area of M, without what entered, farther than so many "
+             "cells from T",
              [i](const S& s) { return s.attachedFraction[i]; }}
         );
     }

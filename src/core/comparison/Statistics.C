@@ -4,6 +4,7 @@
 
 #include "core/ranks/Quantiles.H"
 #include "core/ranks/ExactSum.H"
+#include "core/surface/Ribbon.H"
 
 #include <algorithm>
 
@@ -87,9 +88,41 @@ void fillSurvival(
     }
 }
 
+bool isSmall(const PointMarks& marks, label pointi)
+{
+    return marks.thin[pointi] || marks.subGrid[pointi];
+}
+
+// Areas by class; what entered has no area at the points.
+void addClasses(
+    Sums& sums, Statistics& statistics, const ClassifiedSurface& interface,
+    const scalarField& areas
+)
+{
+    forAll(areas, pointi)
+    {
+        const Stability stability = interface.stability[pointi];
+        if (stability == Stability::stable)
+        {
+            sums.add(statistics.stableArea, areas[pointi]);
+        }
+        else if (stability == Stability::attached)
+        {
+            sums.add(statistics.attachedArea, areas[pointi]);
+            sums.add(
+                interface.nearWall[pointi]   ? statistics.attachedNearWall
+                : isSmall(interface, pointi) ? statistics.attachedThin
+                                             : statistics.attachedResolved,
+                areas[pointi]
+            );
+        }
+    }
+}
+
 void addInterface(
     Statistics& statistics, const ClassifiedSurface& interface, const Epsilon& epsilon,
-    const scalarField& areas, const Exchange& exchange
+    const scalarField& areas, const Exchange& exchange,
+    const std::optional<PlaneSection>& section
 )
 {
     const InterfaceMesh& mesh = interface.mesh;
@@ -97,28 +130,33 @@ void addInterface(
     Sums sums;
     for (scalar* target :
          {&statistics.area, &statistics.stableArea, &statistics.attachedArea,
+          &statistics.attachedNearWall, &statistics.attachedThin,
+          &statistics.attachedResolved, &statistics.enteredArea,
           &statistics.parametrizedArea, &nVertices, &nTriangles, &epsilonArea,
           &cellsArea})
     {
         sums.declare(*target);
     }
-    forAll(areas, pointi)
+    addClasses(sums, statistics, interface, areas);
+    for (const bool isPrimary : interface.isPrimary)
     {
-        const bool stable = interface.stability[pointi] == Stability::stable;
-        sums.add(
-            stable ? statistics.stableArea : statistics.attachedArea, areas[pointi]
-        );
-        const scalar h = mesh.cellSizes[pointi];
-        sums.add(epsilonArea, epsilon.at(h) * areas[pointi]);
-        sums.add(cellsArea, epsilon.at(h) / max(h, VSMALL) * areas[pointi]);
-        sums.add(nVertices, interface.isPrimary[pointi] ? 1 : 0);
+        sums.add(nVertices, isPrimary ? 1 : 0);
     }
     forAll(mesh.triangles, trianglei)
     {
-        const scalar area = mag(mesh.areaVector(trianglei));
+        const triFace& triangle = mesh.triangles[trianglei];
+        const scalar area = areaInMesh(mesh, trianglei, section);
+        const scalar entered = crossedShare(triangle, interface.crossings);
         sums.add(statistics.area, area);
+        sums.add(statistics.enteredArea, entered * area);
         sums.add(statistics.parametrizedArea, mesh.parametrized(trianglei) ? area : 0);
         sums.add(nTriangles, 1);
+        for (const label pointi : triangle)
+        {
+            const scalar h = mesh.cellSizes[pointi];
+            sums.add(epsilonArea, epsilon.at(h) * area / 3);
+            sums.add(cellsArea, epsilon.at(h) / max(h, VSMALL) * area / 3);
+        }
     }
     sums.finish(exchange);
     statistics.nVertices = label(nVertices);
@@ -130,7 +168,7 @@ void addInterface(
     }
 }
 
-// `areas`: what left is zero there on return.
+// `areas`: what left or is untracked is zero there on return.
 void addTimeSurface(
     Statistics& statistics, const ClassifiedSurface& surface, scalarField& areas,
     const Exchange& exchange
@@ -138,7 +176,7 @@ void addTimeSurface(
 {
     Sums sums;
     for (scalar* target :
-         {&statistics.timeSurfaceArea, &statistics.leftArea,
+         {&statistics.timeSurfaceArea, &statistics.keptArea, &statistics.untrackedArea,
           &statistics.detachedNearWall, &statistics.detachedElsewhere,
           &statistics.detachedThin, &statistics.detachedResolved})
     {
@@ -147,13 +185,17 @@ void addTimeSurface(
     forAll(areas, pointi)
     {
         scalar& area = areas[pointi];
-        if (surface.stability[pointi] == Stability::left)
+        const Stability stability = surface.stability[pointi];
+        sums.add(
+            statistics.untrackedArea, stability == Stability::untracked ? area : 0
+        );
+        if (stability == Stability::left || stability == Stability::untracked)
         {
-            sums.add(statistics.leftArea, area);
             area = 0;
         }
         sums.add(statistics.timeSurfaceArea, area);
-        if (surface.stability[pointi] != Stability::detached)
+        sums.add(statistics.keptArea, stability == Stability::stable ? area : 0);
+        if (stability != Stability::detached)
         {
             continue;
         }
@@ -163,8 +205,11 @@ void addTimeSurface(
             continue;
         }
         sums.add(statistics.detachedElsewhere, area);
-        const bool small = surface.thin[pointi] || surface.subGrid[pointi];
-        sums.add(small ? statistics.detachedThin : statistics.detachedResolved, area);
+        sums.add(
+            isSmall(surface, pointi) ? statistics.detachedThin
+                                     : statistics.detachedResolved,
+            area
+        );
     }
     sums.finish(exchange);
 }
@@ -187,13 +232,14 @@ void fillDriftSpeeds(
 void addSurfaceStatistics(
     Statistics& statistics, const ClassifiedSurface& interface,
     const ClassifiedSurface& timeSurface, const Epsilon& epsilon,
-    const Exchange& exchange
+    const Exchange& exchange, const std::optional<PlaneSection>& section
 )
 {
     const scalarField areas(countedAreas(interface));
-    addInterface(statistics, interface, epsilon, areas, exchange);
+    addInterface(statistics, interface, epsilon, areas, exchange, section);
     fillSurvival(
-        statistics.attachedFraction, interface, areas, statistics.area, exchange
+        statistics.attachedFraction, interface, areas,
+        statistics.area - statistics.enteredArea, exchange
     );
     scalarField timeAreas(countedAreas(timeSurface));
     addTimeSurface(statistics, timeSurface, timeAreas, exchange);
@@ -206,17 +252,29 @@ void addSurfaceStatistics(
     );
 }
 
-void addDisplacement(
+void addMotion(
     Statistics& statistics, const ClassifiedSurface& timeSurface,
-    const pointField& startPositions, const Exchange& exchange
+    const pointField& startPositions, const Exchange& exchange,
+    const std::optional<PlaneSection>& section
 )
 {
     const InterfaceMesh& mesh = timeSurface.mesh;
     const scalarField areas(countedAreas(timeSurface));
     scalar squares = 0, total = 0, farthest = 0;
     Sums sums;
-    sums.declare(squares);
-    sums.declare(total);
+    for (scalar* target : {&squares, &total, &statistics.leftArea})
+    {
+        sums.declare(*target);
+    }
+    InterfaceMesh before;
+    before.points = startPositions;
+    before.triangles = mesh.triangles;
+    forAll(before.triangles, trianglei)
+    {
+        const scalar left =
+            crossedShare(before.triangles[trianglei], timeSurface.crossings);
+        sums.add(statistics.leftArea, left * areaInMesh(before, trianglei, section));
+    }
     forAll(areas, pointi)
     {
         const scalar cells = mag(mesh.points[pointi] - startPositions[pointi])

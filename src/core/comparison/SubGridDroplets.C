@@ -3,7 +3,7 @@
 #include "core/comparison/SubGridDroplets.H"
 
 #include "core/comparison/ThinSheets.H"
-#include "core/surface/SurfaceTopology.H"
+#include "core/surface/Ribbon.H"
 #include "core/flow/VolumeFractions.H"
 #include "boundBox.H"
 #include "mathematicalConstants.H"
@@ -21,12 +21,15 @@ namespace
 struct Moments
 {
     scalar volume = 0;  // [m3]
+    scalar measure = 0; // [m3], of the complex: without the factor of a section
     vector first{Zero}; // [m4], the volume times its centroid
 };
 
-scalar radiusOf(scalar volume)
+scalar radiusOf(scalar measure, const std::optional<PlaneSection>& section)
 {
-    return std::cbrt(3 * volume / (4 * constant::mathematical::pi));
+    using constant::mathematical::pi;
+    return section ? std::sqrt(measure / (pi * section->thickness))
+                   : std::cbrt(3 * measure / (4 * pi));
 }
 
 // A closed piece of the surface.
@@ -43,25 +46,28 @@ struct Piece
 
 using Pieces = std::vector<Piece>; // per component
 
-// Tetrahedra from the first point of each piece, against round-off far from home.
+// Cones from the first point of each piece, against round-off far from home.
 void addEnclosed(
-    const InterfaceMesh& mesh, const UList<label>& components, Pieces& pieces
+    const InterfaceMesh& mesh, const UList<label>& components,
+    const std::optional<PlaneSection>& section, Pieces& pieces
 )
 {
-    for (const triFace& t : mesh.triangles)
+    forAll(mesh.triangles, trianglei)
     {
-        Piece& piece = pieces[components[t[0]]];
-        const point& referencePoint = mesh.points[piece.points[0]];
-        const point &a = mesh.points[t[0]], &b = mesh.points[t[1]],
-                    &c = mesh.points[t[2]];
-        const scalar volume =
-            ((a - referencePoint) & ((b - referencePoint) ^ (c - referencePoint))) / 6;
-        piece.enclosed.volume += volume;
-        piece.enclosed.first += volume * (referencePoint + a + b + c) / 4;
+        Piece& piece = pieces[components[mesh.triangles[trianglei][0]]];
+        const PlaneSection::Cone cone(
+            coneTo(mesh, trianglei, mesh.points[piece.points[0]], section)
+        );
+        piece.enclosed.volume += cone.volume;
+        piece.enclosed.measure += cone.measure;
+        piece.enclosed.first += cone.volume * cone.centroid;
     }
 }
 
-Pieces piecesOf(const InterfaceMesh& mesh, const UList<label>& components)
+Pieces piecesOf(
+    const InterfaceMesh& mesh, const UList<label>& components,
+    const std::optional<PlaneSection>& section
+)
 {
     Pieces pieces;
     label nPieces = 0;
@@ -92,12 +98,12 @@ Pieces piecesOf(const InterfaceMesh& mesh, const UList<label>& components)
     const SurfaceTopology topology(mesh.points.size(), mesh.triangles);
     for (const SurfaceEdge& edge : topology.edges())
     {
-        if (edge.nTriangles != 2)
+        if (edge.nTriangles != 2 && !isRimOfRibbon(edge, mesh.points, section))
         {
             pieces[components[edge.a]].closed = false;
         }
     }
-    addEnclosed(mesh, components, pieces);
+    addEnclosed(mesh, components, section, pieces);
     return pieces;
 }
 
@@ -120,7 +126,7 @@ public:
         {
             const Piece& piece = pieces_[i];
             if (piece.closed && !piece.points.empty()
-                && mayBeSubGrid(piece.enclosed.volume, piece.cellSize))
+                && mayBeSubGrid(piece.enclosed.measure, piece.cellSize, section()))
             {
                 const Droplet droplet = dropletOf(piece, label(i));
                 if (droplet.radius < thinnestResolved)
@@ -133,6 +139,11 @@ public:
     }
 
 private:
+    const std::optional<PlaneSection>& section() const
+    {
+        return complex_.whole().section;
+    }
+
     Droplet dropletOf(const Piece& piece, label component)
     {
         const std::optional<Moments> filled = fill(piece, component);
@@ -142,7 +153,7 @@ private:
         droplet.bubble = piece.bubble();
         droplet.fromAlpha = bool(filled);
         droplet.volume = mag(moments.volume);
-        droplet.radius = radiusOf(droplet.volume) / piece.cellSize;
+        droplet.radius = radiusOf(mag(moments.measure), section()) / piece.cellSize;
         droplet.centroid = mag(moments.volume) > 0 ? moments.first / moments.volume
                                                    : piece.bounds.midpoint();
         droplet.nPoints = label(piece.points.size());
@@ -207,9 +218,12 @@ private:
         for (std::size_t i = 0; alone && i < front.size(); ++i)
         {
             const label celli = front[i];
-            const scalar volume = share(piece, celli) * complex_.cellVolumes()[celli];
+            const point& centre = complex_.cellCentres()[celli];
+            const scalar measure = share(piece, celli) * complex_.cellVolumes()[celli];
+            const scalar volume = share(piece, celli) * complex_.volumeInMesh(celli);
             sum.volume += volume;
-            sum.first += volume * complex_.cellCentres()[celli];
+            sum.measure += measure;
+            sum.first += volume * centre;
             for (const label facei : complex_.cellFaces()[celli])
             {
                 if (facei < complex_.nInternalFaces())
@@ -236,10 +250,12 @@ private:
 
 } // namespace
 
-bool mayBeSubGrid(scalar volume, scalar cellSize)
+bool mayBeSubGrid(
+    scalar volume, scalar cellSize, const std::optional<PlaneSection>& section
+)
 {
     constexpr scalar largest = 2 * thinnestResolved;
-    return radiusOf(mag(volume)) < largest * cellSize;
+    return radiusOf(mag(volume), section) < largest * cellSize;
 }
 
 const TableLayout<DropletRow>& dropletTable()
@@ -254,7 +270,9 @@ const TableLayout<DropletRow>& dropletTable()
             {"component", "-", "its number in the array `component` of the interface",
              &D::component},
             {"bubble", "-", "1: a bubble; 0: a droplet", &D::bubble},
-            {"radius", "cells", "radius of the ball of the same volume", &D::radius},
+            {"radius", "cells",
+             "radius of the ball of the same volume, in two dimensions of the disc",
+             &D::radius},
             {"volume", "m3", "volume", &D::volume},
             {"centroidX", "m", "centroid", [](const D& d) { return d.centroid.x(); }},
             {"centroidY", "m", "centroid", [](const D& d) { return d.centroid.y(); }},
@@ -274,7 +292,8 @@ std::vector<Droplet> subGridDroplets(
     const FlowSnapshot& snapshot
 )
 {
-    const Pieces pieces(piecesOf(mesh, components));
+    const std::optional<PlaneSection>& section = snapshot.complex->whole().section;
+    const Pieces pieces(piecesOf(mesh, components, section));
     return DropletSearch(pieces, mesh, components, snapshot).run();
 }
 

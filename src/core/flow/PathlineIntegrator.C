@@ -2,6 +2,8 @@
 
 #include "core/flow/PathlineIntegrator.H"
 
+#include "core/flow/DormandPrince.H"
+
 #include <cmath>
 
 namespace Foam::stability
@@ -10,22 +12,7 @@ namespace Foam::stability
 namespace
 {
 
-// Dormand and Prince (1980), Table 2: nodes, rows, and the difference of the fifth
-// and fourth order weights. The last row holds the weights of fifth order, so that
-// the last stage is the first of the next step.
-constexpr label nStages = 7;
-constexpr scalar c[nStages] = {0, 1.0 / 5, 3.0 / 10, 4.0 / 5, 8.0 / 9, 1, 1};
-constexpr scalar a[nStages][nStages - 1] = {
-    {},
-    {1.0 / 5},
-    {3.0 / 40, 9.0 / 40},
-    {44.0 / 45, -56.0 / 15, 32.0 / 9},
-    {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
-    {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
-    {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84}};
-constexpr scalar e[nStages] = {
-    71.0 / 57600,      0,          -71.0 / 16695, 71.0 / 1920,
-    -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
+using namespace dormandPrince;
 
 constexpr scalar safety = 0.9;
 constexpr scalar slowest = 0.2; // change of the step from one to the next
@@ -75,7 +62,7 @@ public:
                 ++counts_.nElsewhere;
                 return false;
             }
-            if (line_.state == PathlineState::moving)
+            if (line_.stage == nStages)
             {
                 endStep();
             }
@@ -103,12 +90,10 @@ private:
     bool sample(const point& x, scalar time)
     {
         sample_ = velocity_.sample(x, time, line_.hint, line_.earlierHint);
-        if (sample_.where == VelocitySample::Where::nowhere)
-        {
-            finish(PathlineState::lost, counts_.nLost);
-        }
         return sample_.where != VelocitySample::Where::elsewhere;
     }
+
+    bool isNowhere() const { return sample_.where == VelocitySample::Where::nowhere; }
 
     void finish(PathlineState state, label& count)
     {
@@ -125,7 +110,12 @@ private:
             {
                 return false;
             }
-            if (line_.state != PathlineState::moving || startsOutside())
+            if (isNowhere())
+            {
+                finish(PathlineState::lost, counts_.nLost);
+                return true;
+            }
+            if (startsOutside())
             {
                 return true;
             }
@@ -151,6 +141,7 @@ private:
         }
         line_.x =
             velocity_.exitPoint(sample_.position, line_.x, line_.hint, line_.patch);
+        setExitVelocity(sample_.U);
         finish(PathlineState::left, counts_.nLeft);
         return true;
     }
@@ -185,13 +176,35 @@ private:
             {
                 return false;
             }
-            line_.k[i] = sample_.U;
-            if (line_.state == PathlineState::moving)
+            if (isNowhere())
             {
-                ++line_.stage;
+                retryOrLose();
+                return true;
             }
+            line_.k[i] = sample_.U;
+            ++line_.stage;
         }
         return true;
+    }
+
+    // Beside a wall the velocity changes so fast that a long step may look far outside
+    // the domain for one of its stages.
+    void retryOrLose()
+    {
+        line_.stage = 0;
+        if (isShortest(line_.step))
+        {
+            finish(PathlineState::lost, counts_.nLost);
+        }
+        else
+        {
+            reject(slowest * line_.step);
+        }
+    }
+
+    bool isShortest(scalar step) const
+    {
+        return step <= (1 + 1e-6) * shortestStep * duration_;
     }
 
     void endStep()
@@ -201,7 +214,7 @@ private:
         const scalar allowed = options_.tolerance * line_.cellSize;
         const scalar error =
             step * mag(combine(line_, e, nStages)) / (std::sqrt(3.0) * allowed);
-        const bool shortest = step <= (1 + 1e-6) * shortestStep * duration_;
+        const bool shortest = isShortest(step);
         const scalar factor =
             error > 0 ? max(slowest, min(safety * std::pow(error, -0.2), fastest))
                       : fastest;
@@ -258,6 +271,12 @@ private:
         ++counts_.nSteps;
     }
 
+    // Takes the part of U [m/s] that leads out.
+    void setExitVelocity(const vector& U)
+    {
+        line_.exitVelocity = max(U & sample_.outward, scalar(0)) * sample_.outward;
+    }
+
     void leave()
     {
         const vector way = line_.step * combine(line_, a[nStages - 1], nStages - 1);
@@ -269,6 +288,7 @@ private:
         line_.time = min(line_.time + fraction * line_.step, velocity_.endTime());
         line_.x = exit;
         line_.firstSameAsLast = false;
+        setExitVelocity(way / line_.step);
         countStep();
         finish(PathlineState::left, counts_.nLeft);
     }
@@ -300,6 +320,17 @@ IntegrationCounts& IntegrationCounts::operator+=(const IntegrationCounts& part)
     nLost += part.nLost;
     nElsewhere += part.nElsewhere;
     return *this;
+}
+
+IntegrationCounts total(const IntegrationCounts& here, const Exchange& exchange)
+{
+    IntegrationCounts all;
+    all.nSteps = exchange.total(here.nSteps);
+    all.nRejected = exchange.total(here.nRejected);
+    all.nLeft = exchange.total(here.nLeft);
+    all.nStuck = exchange.total(here.nStuck);
+    all.nLost = exchange.total(here.nLost);
+    return all;
 }
 
 IntegrationCounts advance(

@@ -4,6 +4,8 @@
 
 #include "DynamicList.H"
 
+#include <vector>
+
 namespace Foam::stability
 {
 
@@ -17,16 +19,24 @@ constexpr scalar sameWallCosine = 0.70710678118654752;
 // Sine of the angle below which a normal adds nothing to those before it.
 constexpr scalar dependentSine = 0.1;
 
+// Two pieces of wall form a ridge if neither lies clearly inside the other's plane: the
+// sine of half the angle that makes a wall bent.
+constexpr scalar besideSine = 0.38268343236508978;
+
+// A velocity that points into a wall by less than this share of its size does not.
+constexpr scalar intoWall = 1e-9;
+
 // The mean of values at places around x, weighted with 1/distance as OpenFOAM's
 // volPointInterpolation.
 class DistanceMean
 {
 public:
-    explicit DistanceMean(const point& x) : x_(x) {}
+    DistanceMean(const point& x, const WholeMesh& whole) : x_(x), whole_(whole) {}
 
     void add(const point& place, const vector& value)
     {
-        const scalar weight = 1 / max(mag(place - x_), VSMALL);
+        const scalar distance = mag(whole_.inPlane(place - x_));
+        const scalar weight = 1 / max(distance, VSMALL);
         weights_ += weight;
         sum_ += weight * value;
     }
@@ -35,25 +45,37 @@ public:
 
 private:
     point x_;
+    const WholeMesh& whole_;
     scalar weights_ = 0;
     vector sum_{Zero};
 };
 
-// One smooth piece of wall around a point: area vector and velocity of the wall
-// weighted with area.
+// One smooth piece of wall around a point: area vector, and velocity of the wall and
+// way from the point to the piece weighted with area.
 struct WallPiece
 {
     vector area{Zero};
     vector areaU{Zero};
+    vector areaArm{Zero};
     scalar areaSum = 0;
 
     vector normal() const { return area / max(mag(area), VSMALL); }
     vector U() const { return areaU / max(areaSum, VSMALL); }
+    vector direction() const { return areaArm / max(mag(areaArm), VSMALL); }
+
+    // True where this velocity points into the piece.
+    bool stops(const vector& velocity) const
+    {
+        const vector relative = velocity - U();
+        return (relative & normal()) > intoWall * mag(relative);
+    }
 };
 
 using WallPieces = DynamicList<WallPiece, 4>;
 
-void addWallFace(WallPieces& pieces, const vector& area, const vector& U)
+void addWallFace(
+    WallPieces& pieces, const vector& area, const vector& U, const vector& arm
+)
 {
     const scalar size = mag(area);
     label found = -1;
@@ -72,12 +94,13 @@ void addWallFace(WallPieces& pieces, const vector& area, const vector& U)
     }
     pieces[found].area += area;
     pieces[found].areaU += size * U;
+    pieces[found].areaArm += size * arm;
     pieces[found].areaSum += size;
 }
 
 // The velocity next to U that runs along every piece of wall: U.n = U_wall.n for
 // each of their normals, made orthonormal one after the other.
-vector alongWalls(vector U, const WallPieces& pieces)
+vector alongAll(vector U, const UList<WallPiece>& pieces)
 {
     FixedList<vector, 3> basis;
     label nBasis = 0;
@@ -102,6 +125,102 @@ vector alongWalls(vector U, const WallPieces& pieces)
     return U;
 }
 
+// True at a convex edge of an obstacle, and at the rim of a thin wall: the fluid lies
+// beyond the plane of each of the two pieces.
+bool formRidge(const WallPiece& a, const WallPiece& b)
+{
+    return (a.direction() & b.normal()) > -besideSine
+           && (b.direction() & a.normal()) > -besideSine;
+}
+
+// The velocity at a point with ridges, next to U: along the pieces that are in no
+// ridge, and at a ridge into no piece, unless it points out of the other one, past
+// which the fluid goes on.
+class VelocityAtRidges
+{
+public:
+    VelocityAtRidges(const vector& U, const WallPieces& pieces)
+        : U_(U), pieces_(pieces), partners_(pieces.size())
+    {
+        forAll(pieces, i)
+        {
+            forAll(pieces, j)
+            {
+                if (i != j && formRidge(pieces[i], pieces[j]))
+                {
+                    partners_[i].append(j);
+                }
+            }
+            if (partners_[i].empty())
+            {
+                along_.append(pieces[i]);
+            }
+        }
+    }
+
+    vector nearest()
+    {
+        if (along_.size() < pieces_.size())
+        {
+            search(0, 0);
+        }
+        return found_ ? nearest_ : alongAll(U_, pieces_);
+    }
+
+private:
+    bool isAdmissible(const vector& velocity) const
+    {
+        forAll(pieces_, i)
+        {
+            bool stopped = !partners_[i].empty() && pieces_[i].stops(velocity);
+            for (const label j : partners_[i])
+            {
+                stopped = stopped && pieces_[j].stops(velocity);
+            }
+            if (stopped)
+            {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    // Tries the velocities along up to three pieces of ridges, from piece `first` on.
+    void search(label first, label nAlong)
+    {
+        const vector velocity = alongAll(U_, along_);
+        const scalar change = magSqr(velocity - U_);
+        if ((!found_ || change < change_) && isAdmissible(velocity))
+        {
+            found_ = true;
+            nearest_ = velocity;
+            change_ = change;
+        }
+        for (label i = first; nAlong < 3 && i < pieces_.size(); ++i)
+        {
+            if (!partners_[i].empty())
+            {
+                along_.append(pieces_[i]);
+                search(i + 1, nAlong + 1);
+                along_.remove();
+            }
+        }
+    }
+
+    vector U_;
+    const WallPieces& pieces_;
+    std::vector<DynamicList<label>> partners_; // those that form a ridge with the piece
+    WallPieces along_;
+    bool found_ = false;
+    vector nearest_{Zero};
+    scalar change_ = 0; // from U to nearest_, squared
+};
+
+vector alongWalls(const vector& U, const WallPieces& pieces)
+{
+    return VelocityAtRidges(U, pieces).nearest();
+}
+
 } // namespace
 
 PointVelocity::PointVelocity(
@@ -117,8 +236,8 @@ vector PointVelocity::compute(label pointi) const
     const CellComplex& complex = *snapshot_->complex;
     const point& x = complex.points()[pointi];
 
-    DistanceMean open(x);
-    DistanceMean wall(x);
+    DistanceMean open(x, complex.whole());
+    DistanceMean wall(x, complex.whole());
     WallPieces pieces;
     for (const label facei : complex.pointBoundaryFaces()[pointi])
     {
@@ -136,7 +255,7 @@ vector PointVelocity::compute(label pointi) const
         }
         else
         {
-            addWallFace(pieces, complex.faceAreas()[facei], U);
+            addWallFace(pieces, complex.faceAreas()[facei], U, centre - x);
         }
     }
 
@@ -148,7 +267,7 @@ vector PointVelocity::compute(label pointi) const
     {
         return open.value();
     }
-    DistanceMean cells(x);
+    DistanceMean cells(x, complex.whole());
     for (const label celli : complex.pointCells()[pointi])
     {
         cells.add(complex.cellCentres()[celli], snapshot_->U[celli]);

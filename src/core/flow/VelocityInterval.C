@@ -43,6 +43,12 @@ VelocitySample sampleAt(const CellComplex& complex, const Location& location)
                        : VelocitySample::Where::inside;
     sample.cellSize = complex.cellSizes()[location.cell];
     sample.boundaryFace = location.boundaryFace;
+    if (sample.boundaryFace >= 0)
+    {
+        const label facei = complex.nInternalFaces() + sample.boundaryFace;
+        const vector& area = complex.faceAreas()[facei];
+        sample.outward = area / max(mag(area), VSMALL);
+    }
     return sample;
 }
 

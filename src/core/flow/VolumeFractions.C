@@ -90,12 +90,12 @@ VolumeFractions::VolumeFractions(const FlowSnapshot& snapshot)
     boundaryFaces =
         extrapolated(*snapshot.complex, cells, clamped(snapshot.boundaryAlphas[0]));
 
-    const scalarField& V = snapshot.complex->cellVolumes();
+    const CellComplex& complex = *snapshot.complex;
     forAll(cells, celli)
     {
-        if (snapshot.complex->own(celli))
+        if (complex.own(celli))
         {
-            volume.add(cells[celli] * V[celli]);
+            volume.add(cells[celli] * complex.volumeInMesh(celli));
         }
     }
 }

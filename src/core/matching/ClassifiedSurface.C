@@ -76,6 +76,9 @@ void visitValues(Surface& surface, const Visit& visit)
     visit(surface.confidence);
     visit(surface.preimages);
     visit(surface.components);
+    visit(surface.crossings.crossed);
+    visit(surface.crossings.ends);
+    visit(surface.crossings.beyond);
     forEachMark([&](const char*, const MarkFiles&, const auto& mark)
                 { visit(mark(surface)); });
 }

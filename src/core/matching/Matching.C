@@ -2,29 +2,133 @@
 
 #include "core/matching/Matching.H"
 
+#include "core/base/DisjointSets.H"
+
 #include <algorithm>
 #include <vector>
 
 namespace Foam::stability
 {
 
+namespace
+{
+
+// A point that may lie on a wall, moved a little towards one that does not.
+point offWalls(const point& x, const point& inside)
+{
+    return x + 0.01 * (inside - x);
+}
+
+// The mean of the centres of the triangles around each point.
+pointField middlesAround(const InterfaceMesh& mesh)
+{
+    pointField sums(mesh.points.size(), Zero);
+    labelList n(mesh.points.size(), 0);
+    forAll(mesh.triangles, trianglei)
+    {
+        for (const label pointi : mesh.triangles[trianglei])
+        {
+            sums[pointi] += mesh.centre(trianglei);
+            ++n[pointi];
+        }
+    }
+    forAll(sums, pointi)
+    {
+        sums[pointi] = n[pointi] > 0 ? sums[pointi] / n[pointi] : mesh.points[pointi];
+    }
+    return sums;
+}
+
+// True where an end of a rim of triangle a lies beside triangle b, which faces the same
+// way: the polygons of a surface whose points are not welded hang together so.
+bool liesBeside(const MatchTarget& target, label a, label b, scalar gap)
+{
+    constexpr scalar sameWay = 0.5; // cosine
+    const vector areaA = target.mesh().areaVector(a),
+                 areaB = target.mesh().areaVector(b);
+    if ((areaA & areaB) < sameWay * mag(areaA) * mag(areaB))
+    {
+        return false;
+    }
+    const triFace& corners = target.mesh().triangles[a];
+    for (label k = 0; k < 3; ++k)
+    {
+        const label edgei = target.topology().triangleEdges()[a][k];
+        if (target.topology().edges()[edgei].nTriangles == 1)
+        {
+            for (const label pointi : {corners[k], corners[(k + 1) % 3]})
+            {
+                const point& x = target.mesh().points[pointi];
+                if (target.locator().closestOn(b, x).distance < gap)
+                {
+                    return true;
+                }
+            }
+        }
+    }
+    return false;
+}
+
+// The number of patches among the triangles, each with its patch by edges, if those
+// that lie beside each other within the gap [m] are one.
+label nPatchesBeside(
+    const MatchTarget& target, const std::vector<label>& triangles,
+    const std::vector<label>& patches, label nPatches, scalar gap
+)
+{
+    DisjointSets sets(nPatches);
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+    {
+        for (std::size_t j = 0; j < triangles.size(); ++j)
+        {
+            if (sets.root(patches[i]) != sets.root(patches[j])
+                && liesBeside(target, triangles[i], triangles[j], gap))
+            {
+                sets.unite(patches[i], patches[j]);
+            }
+        }
+    }
+    label n = 0;
+    for (label patchi = 0; patchi < nPatches; ++patchi)
+    {
+        n += sets.root(patchi) == patchi;
+    }
+    return n;
+}
+
+} // namespace
+
 // Boxes of about epsilon (paper 4.5); the locator sees to it that they are not
 // smaller than the triangles.
-MatchTarget::MatchTarget(const InterfaceMesh& mesh, const MatchingOptions& options)
-    : mesh_(mesh), options_(options), topology_(mesh.points.size(), mesh.triangles),
+MatchTarget::MatchTarget(
+    const InterfaceMesh& mesh, const MatchingOptions& options, const ThinWalls* walls
+)
+    : mesh_(mesh), walls_(walls), options_(options),
+      topology_(mesh.points.size(), mesh.triangles),
       locator_(mesh.points, mesh.triangles, options.epsilon.at(mesh.meanCellSize())),
       triangleNormals_(mesh.areaVectors())
 {
 }
 
-Match MatchTarget::nearest(const point& x, const vector& normal, scalar cellSize) const
+// A point on a wall belongs to the side on which its triangle lies.
+bool MatchTarget::isInSight(const Seeker& seeker, const SurfacePoint& found) const
 {
-    const scalar epsilon = options_.epsilon.at(cellSize);
-    const scalar radius = std::max(epsilon, options_.searchRadius * cellSize);
+    return !walls_
+           || !walls_->part(
+               seeker.seenFrom, offWalls(found.position, mesh_.centre(found.triangle))
+           );
+}
+
+Match MatchTarget::nearest(const Seeker& seeker) const
+{
+    const scalar epsilon = options_.epsilon.at(seeker.cellSize);
+    const scalar radius = std::max(epsilon, options_.searchRadius * seeker.cellSize);
 
     Match result;
     result.nearest = locator_.closest(
-        x, radius, [&](label trianglei) { return admits(trianglei, normal); }
+        seeker.x, radius,
+        [&](label trianglei) { return admits(trianglei, seeker.normal); },
+        [&](const SurfacePoint& found) { return isInSight(seeker, found); }
     );
     if (result.nearest.triangle < 0)
     {
@@ -37,30 +141,28 @@ Match MatchTarget::nearest(const point& x, const vector& normal, scalar cellSize
     return result;
 }
 
-Match MatchTarget::match(const point& x, const vector& normal, scalar cellSize) const
+Match MatchTarget::match(const Seeker& seeker) const
 {
-    Match result = nearest(x, normal, cellSize);
-    countPreimages(result, x, normal, cellSize);
+    Match result = nearest(seeker);
+    countPreimages(result, seeker);
     return result;
 }
 
-void MatchTarget::countPreimages(
-    Match& match, const point& x, const vector& normal, scalar cellSize
-) const
+void MatchTarget::countPreimages(Match& match, const Seeker& seeker) const
 {
     match.nPreimages =
-        match.stable ? countPatches(x, normal, options_.epsilon.at(cellSize)) : 0;
+        match.stable ? countPatches(seeker, options_.epsilon.at(seeker.cellSize)) : 0;
 }
 
 void MatchTarget::admittedWithin(
-    const point& x, const vector& normal, scalar radius, DynamicList<label>& result
+    const Seeker& seeker, scalar radius, DynamicList<label>& result
 ) const
 {
-    locator_.candidates(x, radius, result);
+    locator_.candidates(seeker.x, radius, result);
     label n = 0;
     for (const label trianglei : result)
     {
-        if (admits(trianglei, normal) && isWithin(trianglei, x, radius))
+        if (admits(trianglei, seeker.normal) && isWithin(trianglei, seeker, radius))
         {
             result[n++] = trianglei;
         }
@@ -68,8 +170,14 @@ void MatchTarget::admittedWithin(
     result.setSize(n);
 }
 
+bool MatchTarget::isWithin(label trianglei, const Seeker& seeker, scalar radius) const
+{
+    return isNearer(trianglei, seeker.x, radius)
+           && (!walls_ || isInSight(seeker, locator_.closestOn(trianglei, seeker.x)));
+}
+
 // As closestOn(...).distance < radius, mostly without it.
-bool MatchTarget::isWithin(label trianglei, const point& x, scalar radius) const
+bool MatchTarget::isNearer(label trianglei, const point& x, scalar radius) const
 {
     const triFace& t = mesh_.triangles[trianglei];
     const point &a = mesh_.points[t[0]], &b = mesh_.points[t[1]],
@@ -93,19 +201,22 @@ bool MatchTarget::isWithin(label trianglei, const point& x, scalar radius) const
     return locator_.closestOn(trianglei, x).distance < radius;
 }
 
-label MatchTarget::countPatches(const point& x, const vector& normal, scalar epsilon)
-    const
+label MatchTarget::countPatches(const Seeker& seeker, scalar epsilon) const
 {
-    static thread_local std::vector<label> near, front;
+    constexpr scalar besideEachOther = 0.3; // [cells]
+    static thread_local std::vector<label> near, front, found, patches;
     static thread_local std::vector<bool> waits; // per triangle: near, in no patch yet
     near.clear();
+    found.clear();
+    patches.clear();
     waits.resize(std::max(waits.size(), std::size_t(mesh_.triangles.size())), false);
     const vector halfWidth(epsilon, epsilon, epsilon);
     locator_.visitWithin(
-        x - halfWidth, x + halfWidth,
+        seeker.x - halfWidth, seeker.x + halfWidth,
         [&](label trianglei)
         {
-            if (admits(trianglei, normal) && isWithin(trianglei, x, epsilon))
+            if (admits(trianglei, seeker.normal)
+                && isWithin(trianglei, seeker, epsilon))
             {
                 near.push_back(trianglei);
                 waits[trianglei] = true;
@@ -119,13 +230,14 @@ label MatchTarget::countPatches(const point& x, const vector& normal, scalar eps
         {
             continue;
         }
-        ++nPatches;
         waits[start] = false;
         front.assign(1, start);
         while (!front.empty())
         {
             const label trianglei = front.back();
             front.pop_back();
+            found.push_back(trianglei);
+            patches.push_back(nPatches);
             for (const label edgei : topology_.triangleEdges()[trianglei])
             {
                 for (const label other : topology_.edges()[edgei].triangles)
@@ -138,6 +250,14 @@ label MatchTarget::countPatches(const point& x, const vector& normal, scalar eps
                 }
             }
         }
+        ++nPatches;
+    }
+    if (nPatches > 1)
+    {
+        const label pointi = mesh_.triangles[near.front()][0];
+        nPatches = nPatchesBeside(
+            *this, found, patches, nPatches, besideEachOther * mesh_.cellSizes[pointi]
+        );
     }
     return nPatches;
 }
@@ -148,6 +268,7 @@ List<Match> matchPoints(
 )
 {
     const vectorField normals = mesh.pointNormals();
+    const pointField middles(target.hasWalls() ? middlesAround(mesh) : mesh.points);
     List<Match> matches(mesh.points.size());
 #pragma omp parallel for schedule(dynamic, 64) num_threads(options.nThreads)
     for (label pointi = 0; pointi < mesh.points.size(); ++pointi)
@@ -155,7 +276,8 @@ List<Match> matchPoints(
         if (wanted.empty() || wanted[pointi])
         {
             matches[pointi] = target.match(
-                mesh.points[pointi], normals[pointi], mesh.cellSizes[pointi]
+                {mesh.points[pointi], normals[pointi], mesh.cellSizes[pointi],
+                 offWalls(mesh.points[pointi], middles[pointi])}
             );
         }
     }

@@ -38,7 +38,7 @@ class Skyline
 {
 public:
     explicit Skyline(scalar gutter)
-        : steps_{{gutter, gutter}, {1 - BlackSwatch::size, BlackSwatch::size + gutter}}
+        : steps_{{gutter, gutter}, {1 - Swatches::size, Swatches::size + gutter}}
     {
     }
 
@@ -198,13 +198,14 @@ BoxPacking packBoxes(const List<vector2D>& sizes, scalar gutter)
     return result;
 }
 
-List<vector2D> moved(const List<vector2D>& chart, const vector2D& corner, scalar scale)
+List<vector2D>
+moved(const List<vector2D>& chart, const vector2D& corner, const vector2D& scales)
 {
     const vector2D low = boxOf(chart).low;
     List<vector2D> result(chart.size());
     forAll(chart, i)
     {
-        result[i] = corner + scale * (chart[i] - low);
+        result[i] = corner + cmptMultiply(scales, chart[i] - low);
     }
     return result;
 }

@@ -6,6 +6,7 @@
 #include "core/parametrization/ChartPacking.H"
 #include "core/parametrization/Patches.H"
 #include "core/parametrization/Remeshing.H"
+#include "core/parametrization/RibbonChart.H"
 #include "core/ranks/ExactSum.H"
 
 #include <algorithm>
@@ -135,7 +136,27 @@ SurfacePiece joined(
     }
     surface.setOrigins(surface.points);
     result.startPositions = surface.points;
+    result.pointKeys.setSize(nPoints);
+    forAll(result.pointKeys, i)
+    {
+        result.pointKeys[i].number = i; // no rank shares them
+    }
     return result;
+}
+
+// In two dimensions.
+FlatPatch unrolled(
+    const InterfaceMesh& mesh, const Patch& patch, const PlaneSection& section
+)
+{
+    constexpr scalar stripLength = 0.2; // in mean cell sizes of the patch
+    FlatPatch flat;
+    flat.copy =
+        refinedRibbon(patch.surface, section, stripLength * meanCellSize(mesh, patch));
+    flat.chart = ribbonChart(flat.copy.surface, section);
+    flat.parameters = flat.chart.parameters;
+    flat.chart.fallback = flat.parameters.empty();
+    return flat;
 }
 
 FlatPatch flattened(
@@ -164,9 +185,33 @@ struct ChartPlace
     vector2D corner;
 };
 
-// Places the charts of all ranks, on the master; returns their common scale.
-scalar placeAll(
+// The scales of both parameters, units per metre: one in two dimensions for the length
+// and one for the way across, else the same; zero if there is nothing to scale.
+vector2D packedBoxes(
+    const List<vector2D>& sizes, const std::optional<PlaneSection>& section,
+    List<vector2D>& corners
+)
+{
+    if (!section)
+    {
+        const BoxPacking packing(packBoxes(sizes));
+        corners = packing.corners;
+        return packing.placed ? vector2D(packing.scale, packing.scale) : vector2D(0, 0);
+    }
+    scalarField lengths(sizes.size());
+    forAll(sizes, i)
+    {
+        lengths[i] = sizes[i].x();
+    }
+    const RowPacking packing(packRows(lengths));
+    corners = packing.corners;
+    return vector2D(packing.scale, packing.height / section->thickness);
+}
+
+// Places the charts of all ranks, on the master; returns their common scales.
+vector2D placeAll(
     const std::vector<List<ChartBox>>& boxes,
+    const std::optional<PlaneSection>& section,
     std::vector<DynamicList<ChartPlace>>& places
 )
 {
@@ -191,19 +236,20 @@ scalar placeAll(
     {
         sizes[i] = boxAt(order[i]).size;
     }
-    const BoxPacking packing(packBoxes(sizes));
+    List<vector2D> corners;
+    const vector2D scales = packedBoxes(sizes, section, corners);
     forAll(sizes, i)
     {
-        places[order[i].first()][order[i].second()] = {i, packing.corners[i]};
+        places[order[i].first()][order[i].second()] = {i, corners[i]};
     }
-    return packing.placed ? packing.scale : 0;
+    return scales;
 }
 
-// Moves the charts to their places among those of all ranks. Returns the scale, 0 if
-// there is nothing to scale.
+// Moves the charts to their places among those of all ranks. Returns the scale of the
+// first parameter, 0 if there is nothing to scale.
 scalar packFlats(
     const SurfacePiece& interface, const List<Patch>& patches, List<FlatPatch>& flats,
-    const Exchange& exchange
+    const std::optional<PlaneSection>& section, const Exchange& exchange
 )
 {
     DynamicList<ChartBox> mine;
@@ -217,19 +263,23 @@ scalar packFlats(
     Packet packet;
     runOnAllRanks(
         exchange,
-        [&] { packet.put(exchange.isMaster() ? placeAll(boxes, places) : scalar(0)); }
+        [&] {
+            packet.put(
+                exchange.isMaster() ? placeAll(boxes, section, places) : vector2D(0, 0)
+            );
+        }
     );
     const List<ChartPlace> here(exchange.exchangeLists(places)[0]);
-    const scalar scale = exchange.fromMaster(packet).get<scalar>();
+    const vector2D scales = exchange.fromMaster(packet).get<vector2D>();
     forAll(flats, i)
     {
         flats[i].number = here[i].number;
-        if (scale > 0)
+        if (scales.x() > 0)
         {
-            flats[i].parameters = moved(flats[i].parameters, here[i].corner, scale);
+            flats[i].parameters = moved(flats[i].parameters, here[i].corner, scales);
         }
     }
-    return scale;
+    return scales.x();
 }
 
 // A few words on what failed for the patch; empty where nothing did.
@@ -302,7 +352,7 @@ std::vector<ParametrizationFallback> gatheredFallbacks(
 
 ParametrizationResult parametrize(
     const SurfacePiece& interface, const ParametrizationOptions& options,
-    const Exchange& exchange
+    const Exchange& exchange, const std::optional<PlaneSection>& section
 )
 {
     // An unknown method fails on all ranks, also on those without components.
@@ -319,8 +369,11 @@ ParametrizationResult parametrize(
             forAll(patches, i)
             {
                 FlatPatch& flat = flats[i];
-                flat =
-                    flattened(interface.mesh, patches[i], *method, options.edgeLength);
+                flat = section
+                           ? unrolled(interface.mesh, patches[i], *section)
+                           : flattened(
+                               interface.mesh, patches[i], *method, options.edgeLength
+                           );
                 result.nCharts += !flat.chart.parameters.empty();
                 result.nFallbacks += flat.chart.fallback;
                 result.nKept += flat.copy.kept;
@@ -334,7 +387,7 @@ ParametrizationResult parametrize(
     result.nKept = exchange.total(result.nKept);
     result.nPatches = exchange.total(flats.size());
     result.remeshingDistance = largest(result.remeshingDistance, exchange);
-    const scalar scale = packFlats(interface, patches, flats, exchange);
+    const scalar scale = packFlats(interface, patches, flats, section, exchange);
     result.scale = scale > 0 ? scale : 1;
     runOnAllRanks(
         exchange, [&] { result.surface = joined(interface.mesh, patches, flats); }

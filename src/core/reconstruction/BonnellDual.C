@@ -2,6 +2,7 @@
 
 #include "core/reconstruction/BonnellDual.H"
 #include "core/reconstruction/MarchingTets.H"
+#include "core/reconstruction/SectionExtraction.H"
 #include "core/cells/CanonicalOrder.H"
 #include "core/flow/VolumeFractions.H"
 
@@ -39,21 +40,23 @@ struct Spoke
 class DualExtraction
 {
 public:
-    DualExtraction(const CellComplex& complex, const VolumeFractions& fractions)
-        : complex_(complex), fractions_(fractions),
+    DualExtraction(
+        const CellComplex& complex, const VolumeFractions& fractions, MarchingTets& tets
+    )
+        : complex_(complex), fractions_(fractions), tets_(tets),
           quantum_(1e-6 * complex.whole().bounds.mag()),
           active_(complex.nPoints(), false)
     {
     }
 
-    void cutInto(MarchingTets& tets)
+    void run()
     {
         for (label pointi = 0; pointi < complex_.nPoints(); ++pointi)
         {
             active_[pointi] = isKnown(pointi) && differs(pointi);
             if (active_[pointi])
             {
-                cutDualCell(pointi, tets);
+                cutDualCell(pointi);
             }
         }
         for (label facei = complex_.nInternalFaces(); facei < complex_.nFaces();
@@ -61,7 +64,7 @@ public:
         {
             if (complex_.hasAllNeighbours(complex_.owner()[facei]))
             {
-                closeFace(facei, tets);
+                closeFace(facei);
             }
         }
     }
@@ -131,13 +134,6 @@ private:
     Vertex atBoundaryEdge(label a, label b)
     {
         const edge e(min(a, b), max(a, b));
-        if (!edgeIds_.found(e))
-        {
-            edgeIds_.insert(
-                e, complex_.nPoints() + complex_.nCells() + complex_.nBoundaryFaces()
-                       + edgeIds_.size()
-            );
-        }
         DynamicList<label> faces;
         for (const label facei : complex_.pointBoundaryFaces()[e.first()])
         {
@@ -148,7 +144,7 @@ private:
         }
         const pointField& x = complex_.points();
         return {
-            edgeIds_[e], meanOfFaces(labelList(faces)),
+            tets_.idOfMiddle(e), meanOfFaces(labelList(faces)),
             0.5 * (x[e.first()] + x[e.second()])};
     }
 
@@ -239,7 +235,7 @@ private:
         return atCell(celli);
     }
 
-    void cutDualCell(label pointi, MarchingTets& tets)
+    void cutDualCell(label pointi)
     {
         const Vertex apex = apexOf(pointi);
         findSpokes(pointi, spokes_);
@@ -257,7 +253,7 @@ private:
             {
                 for (const Spoke& spoke : ring)
                 {
-                    cutTet(apex, pivot, spoke, complex_.pointCells()[pointi], tets);
+                    cutTet(apex, pivot, spoke, complex_.pointCells()[pointi]);
                 }
             }
             begin = end;
@@ -268,7 +264,7 @@ private:
     // direction is crossed right-handed from its owner to its neighbour.
     void cutTet(
         const Vertex& apex, const Vertex& pivot, const Spoke& spoke,
-        const UList<label>& cells, MarchingTets& tets
+        const UList<label>& cells
     )
     {
         const bool internal = spoke.facei < complex_.nInternalFaces();
@@ -281,18 +277,18 @@ private:
             {
                 std::swap(x, y);
             }
-            tets.cut({apex, pivot, x, y}, cells);
+            tets_.cut({apex, pivot, x, y}, cells);
         }
     }
 
-    void closeFace(label facei, MarchingTets& tets)
+    void closeFace(label facei)
     {
         const face& f = complex_.faces()[facei];
         if (std::none_of(f.begin(), f.end(), [&](label p) { return active_[p]; }))
         {
             if (cellInside(complex_.owner()[facei]))
             {
-                tets.closeWhole(facei);
+                tets_.closeWhole(facei);
             }
             return;
         }
@@ -300,16 +296,16 @@ private:
         forAll(f, k)
         {
             const Vertex corner = atBoundaryPoint(f[k]);
-            tets.close({corner, atBoundaryEdge(f[k], f.nextLabel(k)), centre}, facei);
-            tets.close({corner, centre, atBoundaryEdge(f[k], f.prevLabel(k))}, facei);
+            tets_.close({corner, atBoundaryEdge(f[k], f.nextLabel(k)), centre}, facei);
+            tets_.close({corner, centre, atBoundaryEdge(f[k], f.prevLabel(k))}, facei);
         }
     }
 
     const CellComplex& complex_;
     const VolumeFractions& fractions_;
+    MarchingTets& tets_;
     scalar quantum_; // [m]
     std::vector<bool> active_;
-    EdgeMap<label> edgeIds_; // of the middles of boundary edges
     DynamicList<Spoke> spokes_;
 };
 
@@ -318,9 +314,17 @@ private:
 ReconstructionResult BonnellDual::extract(const FlowSnapshot& snapshot) const
 {
     const VolumeFractions fractions(snapshot);
-    MarchingTets tets(*snapshot.complex);
-    DualExtraction(*snapshot.complex, fractions).cutInto(tets);
-    return finish(tets, *snapshot.complex, fractions, options_);
+    const CellComplex& complex = *snapshot.complex;
+    MarchingTets tets(complex);
+    if (complex.whole().section)
+    {
+        cutSection(complex, fractions, SectionMethod::bonnell, labelMax, tets);
+    }
+    else
+    {
+        DualExtraction(complex, fractions, tets).run();
+    }
+    return finish(tets, complex, fractions, options_);
 }
 
 } // namespace Foam::stability

@@ -4,6 +4,7 @@
 
 #include "core/reconstruction/GivenInterface.H"
 #include "core/surface/pieces/Redistribution.H"
+#include "core/surface/pieces/SharedPoints.H"
 
 namespace Foam::stability
 {
@@ -34,8 +35,9 @@ distributed(const InterfaceMesh& mesh, const WholeMesh& whole, const Exchange& e
     return redistributed(all, ofRanks, exchange).piece;
 }
 
-// What is made in this rank's own cells.
-void extractOwn(
+// Keeps what is made in this rank's own cells. Returns the points that others have,
+// too.
+List<NamedPoint> extractOwn(
     const Reconstruction& method, const FlowSnapshot& snapshot,
     ExtractedSurface& surface
 )
@@ -45,7 +47,9 @@ void extractOwn(
     const labelList kept(keepOwn(surface.piece, result.mesh, *snapshot.complex));
     surface.spread = result.sharpening ? scalarField(result.sharpening->spread, kept)
                                        : scalarField(kept.size(), 0);
+    const List<NamedPoint> shared(sharedPoints(result.mesh, kept, *snapshot.complex));
     result.mesh = InterfaceMesh();
+    return shared;
 }
 
 void sumVolumes(ReconstructionResult& result, const Exchange& exchange)
@@ -79,7 +83,11 @@ ExtractedSurface extractSurface(
     }
     else
     {
-        runOnAllRanks(run.ranks, [&] { extractOwn(method, *snapshot, surface); });
+        List<NamedPoint> shared;
+        runOnAllRanks(
+            run.ranks, [&] { shared = extractOwn(method, *snapshot, surface); }
+        );
+        agreeOnPoints(surface.piece, surface.spread, shared, run.ranks);
     }
     sumVolumes(surface.result, run.ranks);
     if (options.volumeFit != VolumeFit::none)

@@ -40,6 +40,10 @@ void keep(InterfaceMesh& mesh, const std::vector<label>& triangles)
     mesh.cells = labelList(mesh.cells, points);
     mesh.boundaryFaces = labelList(mesh.boundaryFaces, points);
     mesh.cellSizes = scalarField(mesh.cellSizes, points);
+    if (!mesh.names.empty())
+    {
+        mesh.names = List<PointName>(mesh.names, points);
+    }
     mesh.clearParametrization();
 }
 

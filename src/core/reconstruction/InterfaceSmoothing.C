@@ -12,6 +12,7 @@ ExactSum smoothInterface(InterfaceMesh& mesh, const CellComplex& complex, label 
 {
     TaubinOptions options;
     options.pairs = pairs;
+    options.section = complex.whole().section;
     const vectorField boundaryNormals(SubField<vector>(
         complex.faceAreas(), complex.nBoundaryFaces(), complex.nInternalFaces()
     ));

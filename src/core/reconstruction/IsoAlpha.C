@@ -2,6 +2,7 @@
 
 #include "core/reconstruction/IsoAlpha.H"
 #include "core/reconstruction/MarchingTets.H"
+#include "core/reconstruction/SectionExtraction.H"
 #include "core/cells/CanonicalOrder.H"
 #include "core/flow/VolumeFractions.H"
 
@@ -23,8 +24,19 @@ public:
         const CellComplex& complex, const VolumeFractions& fractions, label nRings
     )
         : complex_(complex), fractions_(fractions), nRings_(nRings),
-          pointValues_(complex.nPoints(), unknown), active_(complex.nPoints(), false)
+          pointValues_(complex.nPoints(), unknown), active_(complex.nPoints(), false),
+          slender_(complex.nPoints(), false)
     {
+        for (label celli = 0; celli < complex.nCells(); ++celli)
+        {
+            if (isTetrahedron(celli))
+            {
+                for (const label facei : complex.cellFaces()[celli])
+                {
+                    UIndirectList<bool>(slender_, complex.faces()[facei]) = true;
+                }
+            }
+        }
     }
 
     // A tetrahedron can only be cut where one of its points is active: where the
@@ -67,6 +79,11 @@ private:
     bool inside(label celli) const
     {
         return VolumeFractions::inside(fractions_.cells[celli]);
+    }
+
+    bool isTetrahedron(label celli) const
+    {
+        return complex_.cellFaces()[celli].size() == 4;
     }
 
     void markPoints()
@@ -125,7 +142,7 @@ private:
     {
         return {
             complex_.nPoints() + celli, fractions_.cells[celli],
-            complex_.cellCentres()[celli]};
+            complex_.cellCentres()[celli], isTetrahedron(celli)};
     }
 
     Vertex atBoundaryFace(label facei) const
@@ -133,7 +150,7 @@ private:
         const label i = facei - complex_.nInternalFaces();
         return {
             complex_.nPoints() + complex_.nCells() + i, fractions_.boundaryFaces[i],
-            complex_.faceCentres()[facei]};
+            complex_.faceCentres()[facei], isTetrahedron(complex_.owner()[facei])};
     }
 
     Vertex atPoint(label pointi)
@@ -143,7 +160,7 @@ private:
         {
             value = meanAround(pointi);
         }
-        return {pointi, value, complex_.points()[pointi]};
+        return {pointi, value, complex_.points()[pointi], slender_[pointi]};
     }
 
     // Over the cells around a point, or, on the boundary, over its faces there.
@@ -259,18 +276,16 @@ private:
     label nRings_;
     scalarField pointValues_;
     List<bool> active_;
+    List<bool> slender_; // nPoints: true where a cell around the point is a tetrahedron
 };
 
 // Points that will be moved anyhow keep off the ends of edges, against slivers; not so
-// in tetrahedra, where triangles would fold.
-scalar marginOf(const CellComplex& complex, const ReconstructionOptions& options)
+// at tetrahedra, where triangles would fold.
+MarchingTets tetsFor(const CellComplex& complex, const ReconstructionOptions& options)
 {
-    constexpr scalar narrow = 1e-3, wide = 0.15, fewTetrahedra = 0.01;
-    if (options.sharpening == Sharpening::none)
-    {
-        return narrow;
-    }
-    return complex.whole().tetrahedra > fewTetrahedra ? narrow : wide;
+    constexpr scalar wide = 0.15;
+    return options.sharpening == Sharpening::none ? MarchingTets(complex)
+                                                  : MarchingTets(complex, wide);
 }
 
 // The number of rings of cells around a rank's own whose triangles influence its own:
@@ -288,8 +303,17 @@ ReconstructionResult IsoAlpha::extract(const FlowSnapshot& snapshot) const
 {
     const VolumeFractions fractions(snapshot);
     const CellComplex& complex = *snapshot.complex;
-    MarchingTets tets(complex, marginOf(complex, options_));
-    IsoAlphaExtraction(complex, fractions, ringsOf(options_)).cutInto(tets);
+    MarchingTets tets(tetsFor(complex, options_));
+    if (complex.whole().section)
+    {
+        cutSection(
+            complex, fractions, SectionMethod::isoAlpha, ringsOf(options_), tets
+        );
+    }
+    else
+    {
+        IsoAlphaExtraction(complex, fractions, ringsOf(options_)).cutInto(tets);
+    }
     ReconstructionResult result(finish(tets, complex, fractions, options_));
     if (options_.sharpening != Sharpening::none)
     {

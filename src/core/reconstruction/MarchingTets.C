@@ -4,6 +4,7 @@
 #include "core/cells/CellPlacement.H"
 #include "core/flow/VolumeFractions.H"
 
+#include <algorithm>
 #include <utility>
 
 namespace Foam::stability
@@ -28,13 +29,16 @@ constexpr label pairFirst[6][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2},
 
 std::optional<PeriodicImages::LinearField> fieldOf(const WholeMesh& whole)
 {
-    if (whole.images)
+    const PeriodicImages none({}, whole.bounds, 1, 1);
+    const PeriodicImages& images = whole.images ? *whole.images : none;
+    if (!whole.section)
     {
-        return whole.images->invariantField();
+        return images.invariantField();
     }
-    PeriodicImages::LinearField field;
-    field.centre = whole.bounds.centre();
-    return field;
+    // The two planes of a section count for nothing; a wedge has no such field.
+    return whole.section->wedge && whole.images
+               ? std::nullopt
+               : images.invariantField(whole.section->normal);
 }
 
 } // namespace
@@ -77,7 +81,56 @@ label MarchingTets::homeOf(const UList<label>& cells) const
 scalar MarchingTets::cutShare(const Vertex& in, const Vertex& out) const
 {
     const scalar t = (0.5 - in.value) / (out.value - in.value);
-    return min(max(t, margin_), 1 - margin_);
+    const scalar margin = in.slender || out.slender ? narrow : margin_;
+    return min(max(t, margin), 1 - margin);
+}
+
+label MarchingTets::idOfMiddle(const edge& e)
+{
+    if (middles_.insert(e, middleEdges_.size()))
+    {
+        middleEdges_.append(e);
+    }
+    return complex_.nPoints() + complex_.nCells() + complex_.nBoundaryFaces()
+           + middles_[e];
+}
+
+// The last entry of a point, of a cell and of a boundary face is at least 0; the kinds
+// differ in the first ones. A boundary face of an image has the number of the real one.
+FixedList<label, 3> MarchingTets::nameOfVertex(label id) const
+{
+    const CellComplexInput& input = complex_.input();
+    if (id < complex_.nPoints())
+    {
+        return {-1, -1, input.globalPoints[id]};
+    }
+    id -= complex_.nPoints();
+    if (id < complex_.nCells())
+    {
+        return {-1, -2, input.globalCells[id]};
+    }
+    id -= complex_.nCells();
+    if (id < complex_.nBoundaryFaces())
+    {
+        const label celli = complex_.owner()[complex_.nInternalFaces() + id];
+        return {complex_.image(celli), -3, input.globalBoundaryFaces[id]};
+    }
+    const edge& e = middleEdges_[id - complex_.nBoundaryFaces()];
+    const label a = input.globalPoints[e.first()], b = input.globalPoints[e.second()];
+    return {min(a, b), max(a, b), -4};
+}
+
+// The second point of a cut in a section has both ends in the other order.
+PointName MarchingTets::nameOf(label pointi) const
+{
+    const edge& cut = keys_[pointi];
+    const bool second = pointi > 0 && keys_[pointi - 1] == cut;
+    FixedList<label, 3> a(nameOfVertex(cut.first())), b(nameOfVertex(cut.second()));
+    if (std::lexicographical_compare(b.begin(), b.end(), a.begin(), a.end()) != second)
+    {
+        std::swap(a, b);
+    }
+    return {a[0], a[1], a[2], b[0], b[1], b[2]};
 }
 
 void MarchingTets::cut(const FixedList<Vertex, 4>& tet, const UList<label>& cells)
@@ -145,14 +198,25 @@ label MarchingTets::cutEdge(
     {
         return found.val();
     }
-    const label pointi = points_.size();
     const point x = in.position + cutShare(in, out) * (out.position - in.position);
+    const label celli = holdingCell(complex_, cells, x);
+    const std::optional<PlaneSection>& section = complex_.whole().section;
+    const label pointi = addPoint(key, section ? section->inLow(x) : x, celli);
+    if (section)
+    {
+        addPoint(key, section->inHigh(x), celli);
+    }
     cuts_.insert(key, pointi);
+    return pointi;
+}
+
+label MarchingTets::addPoint(const edge& key, const point& x, label celli)
+{
     keys_.append(key);
     points_.append(x);
-    cells_.append(holdingCell(complex_, cells, x));
+    cells_.append(celli);
     boundaryFaces_.append(-1);
-    return pointi;
+    return points_.size() - 1;
 }
 
 void MarchingTets::addTriangle(label a, label b, label c)
@@ -189,64 +253,96 @@ bool MarchingTets::splitsAtFirst(const FixedList<label, 4>& q) const
     return min(key(0), key(2)) < min(key(1), key(3));
 }
 
+label MarchingTets::loneOf(const FixedList<Vertex, 3>& triangle)
+{
+    for (label k = 0; k < 3; ++k)
+    {
+        const bool side = inside(triangle[k]);
+        if (inside(triangle[(k + 1) % 3]) != side
+            && inside(triangle[(k + 2) % 3]) != side)
+        {
+            return k;
+        }
+    }
+    return -1;
+}
+
 void MarchingTets::close(const FixedList<Vertex, 3>& triangle, label facei)
 {
-    const label boundaryFacei = facei - complex_.nInternalFaces();
-    label nIn = 0;
-    for (const Vertex& v : triangle)
-    {
-        nIn += inside(v);
-    }
+    const label lone = loneOf(triangle);
+    const bool mostlyIn = lone < 0 ? inside(triangle[0]) : !inside(triangle[lone]);
     FixedList<point, 3> corners{
         triangle[0].position, triangle[1].position, triangle[2].position};
-    scalar flux = nIn > 1 ? fluxThrough(corners, facei) : 0;
-    if (nIn == 1 || nIn == 2)
+    scalar volume = mostlyIn ? volumeTo(corners) : 0;
+    if (lone >= 0)
     {
-        label lone = 0;
-        while (inside(triangle[lone]) != (nIn == 1))
-        {
-            ++lone;
-        }
         const Vertex& tip = triangle[lone];
         for (const label k : {(lone + 1) % 3, (lone + 2) % 3})
         {
-            const Vertex& in = nIn == 1 ? tip : triangle[k];
-            const Vertex& out = nIn == 1 ? triangle[k] : tip;
+            const Vertex& in = mostlyIn ? triangle[k] : tip;
+            const Vertex& out = mostlyIn ? tip : triangle[k];
             const scalar t = cutShare(in, out);
             corners[k] =
                 tip.position
-                + (nIn == 1 ? t : 1 - t) * (triangle[k].position - tip.position);
-            markBoundary(in, out, boundaryFacei);
+                + (mostlyIn ? 1 - t : t) * (triangle[k].position - tip.position);
+            markBoundary(in, out, facei - complex_.nInternalFaces());
         }
-        flux += (nIn == 1 ? 1 : -1) * fluxThrough(corners, facei);
+        volume += (mostlyIn ? -1 : 1) * volumeTo(corners);
     }
-    boundaryFlux_.add(flux);
+    addBoundary(volume, facei);
 }
 
 void MarchingTets::closeWhole(label facei)
 {
+    if (complex_.whole().section)
+    {
+        addBoundary(
+            volumeTo(complex_.faceCentres()[facei], complex_.faceAreas()[facei]), facei
+        );
+        return;
+    }
     const face& f = complex_.faces()[facei];
     forAll(f, k)
     {
-        boundaryFlux_.add(fluxThrough(
-            {complex_.faceCentres()[facei], complex_.points()[f[k]],
-             complex_.points()[f.nextLabel(k)]},
+        addBoundary(
+            volumeTo(
+                {complex_.faceCentres()[facei], complex_.points()[f[k]],
+                 complex_.points()[f.nextLabel(k)]}
+            ),
             facei
-        ));
+        );
     }
 }
 
-// Zero where the face is not this rank's.
-scalar MarchingTets::fluxThrough(const FixedList<point, 3>& corners, label facei) const
+void MarchingTets::addBoundary(scalar volume, label facei)
 {
-    return field_ && complex_.own(complex_.owner()[facei])
-               ? fluxThrough(corners[0], corners[1], corners[2])
-               : 0;
+    if (complex_.own(complex_.owner()[facei]))
+    {
+        boundaryVolume_.add(volume);
+    }
 }
 
-scalar MarchingTets::fluxThrough(const point& a, const point& b, const point& c) const
+scalar MarchingTets::volumeTo(const FixedList<point, 3>& corners) const
 {
-    return (*field_)((a + b + c) / 3) & (0.5 * ((b - a) ^ (c - a)));
+    const point& a = corners[0];
+    return volumeTo(
+        (a + corners[1] + corners[2]) / 3, 0.5 * ((corners[1] - a) ^ (corners[2] - a))
+    );
+}
+
+// The flux of the field of divergence 1; in a wedge the volume of a cone.
+scalar MarchingTets::volumeTo(const point& centre, const vector& area) const
+{
+    if (!field_)
+    {
+        return 0;
+    }
+    const std::optional<PlaneSection>& section = complex_.whole().section;
+    if (section && section->wedge)
+    {
+        return section->coneTo(centre, area, field_->centre).volume;
+    }
+    return ((*field_)(centre)&area) * (section ? section->factor(centre) : 1);
 }
 
 // The lowest face, so that the order of the visits does not matter.
@@ -257,8 +353,12 @@ void MarchingTets::markBoundary(
     const auto found = cuts_.cfind(edge(min(in.id, out.id), max(in.id, out.id)));
     if (found.found())
     {
-        label& facei = boundaryFaces_[found.val()];
-        facei = facei < 0 ? boundaryFacei : min(facei, boundaryFacei);
+        const label nSides = complex_.whole().section ? 2 : 1;
+        for (label side = 0; side < nSides; ++side)
+        {
+            label& facei = boundaryFaces_[found.val() + side];
+            facei = facei < 0 ? boundaryFacei : min(facei, boundaryFacei);
+        }
     }
 }
 
@@ -268,16 +368,16 @@ std::optional<ExactSum> MarchingTets::volume() const
     {
         return std::nullopt;
     }
-    ExactSum flux(boundaryFlux_);
+    ExactSum sum(boundaryVolume_);
     forAll(triangles_, trianglei)
     {
         if (complex_.own(triangleCells_[trianglei]))
         {
             const triFace& t = triangles_[trianglei];
-            flux.add(fluxThrough(points_[t[0]], points_[t[1]], points_[t[2]]));
+            sum.add(volumeTo({points_[t[0]], points_[t[1]], points_[t[2]]}));
         }
     }
-    return flux;
+    return sum;
 }
 
 InterfaceMesh MarchingTets::takeMesh()
@@ -292,6 +392,14 @@ InterfaceMesh MarchingTets::takeMesh()
     forAll(mesh.cells, pointi)
     {
         mesh.cellSizes[pointi] = complex_.cellSizes()[mesh.cells[pointi]];
+    }
+    if (!complex_.input().globalCells.empty())
+    {
+        mesh.names.setSize(keys_.size());
+        forAll(keys_, pointi)
+        {
+            mesh.names[pointi] = nameOf(pointi);
+        }
     }
     mesh.clearParametrization();
     return mesh;

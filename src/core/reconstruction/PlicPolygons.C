@@ -4,6 +4,7 @@
 #include "core/cells/CellPlacement.H"
 #include "core/reconstruction/InterfaceOrder.H"
 #include "core/reconstruction/sharpening/PlicFits.H"
+#include "core/reconstruction/sharpening/SectionShape.H"
 #include "DynamicList.H"
 
 #include <algorithm>
@@ -69,6 +70,10 @@ public:
         {
             return false;
         }
+        if (complex_.whole().section)
+        {
+            return addStrip(celli, polygon);
+        }
         const label first = points_.size();
         const label n = polygon.size();
         for (const point& x : polygon)
@@ -102,6 +107,29 @@ public:
     }
 
 private:
+    // In two dimensions: a rectangle across the section.
+    bool addStrip(label celli, const Polygon& polygon)
+    {
+        const PlaneSection& section = *complex_.whole().section;
+        const label n = polygon.size();
+        for (label k = 0; k < n; ++k)
+        {
+            const point &a = polygon[k], &b = polygon[(k + 1) % n];
+            if (section.isLow(a) && section.isLow(b))
+            {
+                const label first = points_.size();
+                addPoint(celli, section.inLow(a));
+                addPoint(celli, section.inLow(b));
+                addPoint(celli, section.inHigh(b));
+                addPoint(celli, section.inHigh(a));
+                addTriangle(celli, triFace(first, first + 1, first + 2));
+                addTriangle(celli, triFace(first, first + 2, first + 3));
+                return true;
+            }
+        }
+        return false;
+    }
+
     void addTriangle(label celli, const triFace& t)
     {
         triangles_.append(t);
@@ -126,13 +154,13 @@ private:
 };
 
 // The normal of a plane points into the first material.
-Polygon polygonIn(const CellComplex& complex, label celli, const PlicPlane& plane)
+Polygon polygonOf(const CellComplex& complex, label celli, const PlicPlane& plane)
 {
     if (!plane.converged)
     {
         return Polygon();
     }
-    Polygon polygon = CellShape(complex, celli).polygonOf(plane);
+    Polygon polygon = polygonIn(complex, celli, plane);
     std::reverse(polygon.begin(), polygon.end());
     return polygon;
 }
@@ -209,7 +237,7 @@ ReconstructionResult PlicPolygons::extract(const FlowSnapshot& snapshot) const
 #pragma omp parallel for schedule(dynamic, 64) num_threads(options_.nThreads)
     for (label i = 0; i < plic.nCells; ++i)
     {
-        polygons[i] = polygonIn(complex, plic.fits[i].cell, plic.planes[i]);
+        polygons[i] = polygonOf(complex, plic.fits[i].cell, plic.planes[i]);
     }
     ReconstructionResult result;
     PolygonSoup soup(complex);

@@ -113,9 +113,9 @@ bool onLine(int pixel, int size)
     return std::abs(x - std::round(x)) < halfWidth;
 }
 
-bool liesOnSwatch(const vector2D& p)
+bool liesOnSwatches(const vector2D& p)
 {
-    return p.x() > 1 - BlackSwatch::size && p.y() < BlackSwatch::size;
+    return p.x() > 1 - Swatches::size && p.y() < Swatches::size;
 }
 
 // The values that depend on u only; they are found once for each column.
@@ -151,9 +151,9 @@ std::vector<Colour> parameterTexture(int size)
         {
             const vector2D p((i + 0.5) / size, (j + 0.5) / size);
             Colour& pixel = pixels[std::size_t(j) * size + i];
-            if (liesOnSwatch(p))
+            if (liesOnSwatches(p))
             {
-                pixel = Colour{0, 0, 0};
+                pixel = 2 * p.y() < Swatches::size ? attachedColour : enteredColour;
             }
             else if (onLine(i, size) || onLine(j, size))
             {

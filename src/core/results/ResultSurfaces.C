@@ -4,6 +4,8 @@
 
 #include "core/parametrization/ChartPacking.H"
 
+#include <algorithm>
+
 namespace Foam::stability
 {
 
@@ -20,8 +22,25 @@ struct SplitPoints
     List<triFace> triangles; // of output points
 };
 
-// A corner on the black swatch, and one without p, count as pairs of their own.
-constexpr label onSwatch = -2;
+// The display corner on a swatch, from the index of p or none: negative, and even on
+// that of what attached. So it is not welded to tracked triangles, yet p stays known.
+label onSwatch(label corner, bool entered)
+{
+    return -2 - 2 * (max(corner, label(-1)) + 1) - entered;
+}
+
+// The parameter behind a display corner.
+label trueCorner(label corner)
+{
+    return corner <= -2 ? (-2 - corner) / 2 - 1 : corner;
+}
+
+vector2D texturePlace(const InterfaceMesh& mesh, label corner)
+{
+    return corner >= 0       ? mesh.parameters[corner]
+           : corner % 2 == 0 ? Swatches::attached()
+                             : Swatches::entered();
+}
 
 SplitPoints split(const InterfaceMesh& mesh, const List<CornerIndices>& corners)
 {
@@ -66,34 +85,31 @@ vector2D valueOf(const InterfaceMesh& mesh, label parameteri)
     return parameteri >= 0 ? mesh.parameters[parameteri] : vector2D(-1, -1);
 }
 
-// Triangles with a corner that is attached or has no p lie wholly on the swatch
-// (algorithms: an interpolated sentinel would make a rainbow fringe).
+// Triangles with a corner that is attached, entered or has no p lie wholly on a swatch
+// (an interpolated sentinel would make a rainbow fringe): on that of what entered if a
+// corner did, now or before, and none is attached.
 List<CornerIndices> displayCorners(const ClassifiedSurface& surface)
 {
     List<CornerIndices> corners(surface.mesh.corners);
     forAll(corners, trianglei)
     {
         bool tracked = surface.mesh.parametrized(trianglei);
+        bool attached = false, entered = false;
         for (const label pointi : surface.mesh.triangles[trianglei])
         {
-            tracked = tracked && surface.stability[pointi] != Stability::attached;
+            tracked = tracked && surface.stability[pointi] == Stability::stable;
+            attached = attached || surface.stability[pointi] == Stability::attached;
+            entered = entered || surface.fromOutside[pointi];
         }
         if (!tracked)
         {
-            // Unwelded from the tracked triangles around, yet p stays known.
             for (label& corner : corners[trianglei])
             {
-                corner = onSwatch - max(corner, label(-1)) - 1;
+                corner = onSwatch(corner, entered && !attached);
             }
         }
     }
     return corners;
-}
-
-// The parameter behind a display corner.
-label trueCorner(label corner)
-{
-    return corner <= onSwatch ? onSwatch - corner - 1 : corner;
 }
 
 template<class Value>
@@ -101,7 +117,7 @@ PointArray scalars(
     const std::string& name, bool integer, const labelList& vertex, const Value& value
 )
 {
-    PointArray array{name, 1, integer, {}};
+    PointArray array{name, 1, integer, {}, false};
     array.values.reserve(vertex.size());
     for (const label pointi : vertex)
     {
@@ -111,9 +127,9 @@ PointArray scalars(
 }
 
 PointArray
-vectors(const std::string& name, const labelList& places, const pointField& x)
+positions(const std::string& name, const labelList& places, const pointField& x)
 {
-    PointArray array{name, 3, false, {}};
+    PointArray array{name, 3, false, {}, true};
     for (const label place : places)
     {
         array.values.insert(
@@ -161,7 +177,7 @@ ResultSurface surface(
     result.time = time;
     result.triangles = split.triangles;
     result.points.setSize(split.vertex.size());
-    PointArray parameter{"parameter", 2, false, {}};
+    PointArray parameter{"parameter", 2, false, {}, false};
     forAll(split.vertex, i)
     {
         result.points[i] = from.mesh.points[split.vertex[i]];
@@ -200,16 +216,14 @@ interfaceSurface(const ClassifiedSurface& from, scalar time, const labelList& nu
     ResultSurface result(surface(from, points, time, numbers));
     const labelList& vertex = points.vertex;
 
-    PointArray texture{"TCoords", 2, false, {}};
+    PointArray texture{"TCoords", 2, false, {}, false};
     for (const label corner : points.parameter)
     {
-        append(
-            texture, corner >= 0 ? valueOf(from.mesh, corner) : BlackSwatch::middle()
-        );
+        append(texture, texturePlace(from.mesh, corner));
     }
     result.arrays.insert(result.arrays.begin(), texture);
     addMarks(from, &MarkFiles::interface, vertex, result.arrays);
-    result.arrays.push_back(vectors("origin", points.origin, from.mesh.origins));
+    result.arrays.push_back(positions("origin", points.origin, from.mesh.origins));
     result.arrays.push_back(scalars(
         "preimageCount", true, vertex, [&](label i) { return from.preimages[i]; }
     ));
@@ -236,7 +250,7 @@ ResultSurface particleCloud(const UList<InstabilityParticle>& all, scalar time)
     result.points.setSize(all.size());
     pointField origins(all.size());
     pointField detachments(all.size());
-    PointArray parameter{"parameter", 2, false, {}};
+    PointArray parameter{"parameter", 2, false, {}, false};
     forAll(all, i)
     {
         result.points[i] = all[i].path.x;
@@ -269,9 +283,27 @@ ResultSurface particleCloud(const UList<InstabilityParticle>& all, scalar time)
     );
     add("state", true, [](const Particle& p) { return label(p.path.state); });
     result.arrays.push_back(parameter);
-    result.arrays.push_back(vectors("origin", order, origins));
-    result.arrays.push_back(vectors("detachmentPosition", order, detachments));
+    result.arrays.push_back(positions("origin", order, origins));
+    result.arrays.push_back(positions("detachmentPosition", order, detachments));
     return result;
+}
+
+void moveIntoMesh(ResultSurface& surface, const PlaneSection& section)
+{
+    surface.sectionNormal = section.normal;
+    for (point& x : surface.points)
+    {
+        x = section.inMesh(x);
+    }
+    for (PointArray& array : surface.arrays)
+    {
+        for (std::size_t i = 0; array.position && i < array.values.size(); i += 3)
+        {
+            double* x = &array.values[i];
+            const point moved(section.inMesh(point(x[0], x[1], x[2])));
+            std::copy(moved.begin(), moved.end(), x);
+        }
+    }
 }
 
 } // namespace Foam::stability

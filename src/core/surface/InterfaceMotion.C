@@ -140,12 +140,16 @@ moveInterface(InterfaceMesh& mesh, const CellComplex& complex, vectorField moves
             mesh.cellSizes[pointi] = complex.cellSizes()[cells[pointi]];
         }
     }
+    const std::optional<PlaneSection>& section = complex.whole().section;
     ExactSum sum;
     forAll(swept, trianglei)
     {
         if (mesh.triangleCells.empty() || complex.own(mesh.triangleCells[trianglei]))
         {
-            sum.add(swept[trianglei]);
+            sum.add(
+                swept[trianglei]
+                * (section ? section->factor(mesh.centre(trianglei)) : 1)
+            );
         }
     }
     return sum;

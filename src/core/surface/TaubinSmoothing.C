@@ -46,15 +46,39 @@ std::vector<SortedEdge> sortedEdges(const InterfaceMesh& mesh)
     return edges;
 }
 
+// Those of a ribbon along its curve, none of which is a rim. The ends of the curve are
+// marked.
+std::vector<SortedEdge>
+edgesOfCurve(const InterfaceMesh& mesh, const PlaneSection& section, List<bool>& isEnd)
+{
+    std::vector<SortedEdge> edges;
+    for (const SortedEdge& e : sortedEdges(mesh))
+    {
+        if (section.isLow(mesh.points[e.a]) == section.isLow(mesh.points[e.b]))
+        {
+            edges.push_back({e.a, e.b, false});
+        }
+        else if (e.rim)
+        {
+            isEnd[e.a] = isEnd[e.b] = true;
+        }
+    }
+    return edges;
+}
+
 // The neighbours that draw each point and the plane in which it moves; both stay the
 // same while points move.
 class Umbrella
 {
 public:
-    Umbrella(const InterfaceMesh& mesh, const vectorField& boundaryNormals)
+    Umbrella(
+        const InterfaceMesh& mesh, const vectorField& boundaryNormals,
+        const std::optional<PlaneSection>& section
+    )
         : normals_(mesh.points.size(), Zero), fixed_(mesh.points.size(), false)
     {
-        const auto edges = sortedEdges(mesh);
+        const auto edges =
+            section ? edgesOfCurve(mesh, *section, fixed_) : sortedEdges(mesh);
         List<bool> onRim(mesh.points.size(), false);
         for (const SortedEdge& e : edges)
         {
@@ -80,7 +104,7 @@ public:
         );
         forAll(onRim, pointi)
         {
-            if (onRim[pointi])
+            if (onRim[pointi] && !fixed_[pointi])
             {
                 bindToWall(mesh, boundaryNormals, pointi);
             }
@@ -144,7 +168,7 @@ vectorField taubinDisplacements(
     const TaubinOptions& options
 )
 {
-    const Umbrella umbrella(mesh, boundaryNormals);
+    const Umbrella umbrella(mesh, boundaryNormals, options.section);
     pointField x(mesh.points);
     for (label pair = 0; pair < options.pairs; ++pair)
     {

@@ -3,6 +3,7 @@
 #include "core/transfer/DistributedChart.H"
 
 #include "core/ranks/ExactSum.H"
+#include "core/surface/pieces/PointNumbers.H"
 #include "core/surface/pieces/Redistribution.H"
 #include "core/surface/pieces/SurfaceHalo.H"
 
@@ -19,10 +20,11 @@ SurfacePiece
 distribute(SurfacePiece piece, const WholeMesh& whole, const Exchange& exchange)
 {
     // Until now every point is on one rank; seams have one on each side.
+    const labelList numbers(pointNumbers(piece, exchange));
     piece.sharesPoints = true;
-    forAll(piece.startPositions, pointi)
+    forAll(piece.pointKeys, pointi)
     {
-        piece.startPositions[pointi] = point(exchange.rank(), pointi, 0);
+        piece.pointKeys[pointi] = {numbers[pointi], 0};
     }
     std::vector<DynamicList<label>> triangles(exchange.nRanks());
     forAll(piece.mesh.triangles, trianglei)

@@ -32,7 +32,7 @@ SheetParameter SeamBisection::parameter(const Match& match) const
 SheetPoint
 SeamBisection::locate(const point& x, const vector& normal, scalar cellSize) const
 {
-    SheetPoint v{x, normal, cellSize, target_.nearest(x, normal, cellSize), {}};
+    SheetPoint v{x, normal, cellSize, target_.nearest({x, normal, cellSize}), {}};
     if (options_.merge == Merge::untracked)
     {
         countPreimages(v);
@@ -43,7 +43,7 @@ SeamBisection::locate(const point& x, const vector& normal, scalar cellSize) con
 
 void SeamBisection::countPreimages(SheetPoint& v) const
 {
-    target_.countPreimages(v.match, v.x, v.normal, v.cellSize);
+    target_.countPreimages(v.match, {v.x, v.normal, v.cellSize});
 }
 
 SheetPoint
@@ -95,7 +95,9 @@ void SeamBisection::preferSide(SheetPoint& v, const Piece& piece) const
 {
     const scalar tie = 1e-10 * piece.length;
     static thread_local DynamicList<label> ties;
-    target_.admittedWithin(v.x, v.normal, v.match.nearest.distance + tie, ties);
+    target_.admittedWithin(
+        {v.x, v.normal, v.cellSize}, v.match.nearest.distance + tie, ties
+    );
     if (ties.size() < 2)
     {
         return;

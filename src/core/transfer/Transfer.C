@@ -2,6 +2,7 @@
 
 #include "core/transfer/Transfer.H"
 
+#include "core/surface/Ribbon.H"
 #include "core/transfer/SeamCutting.H"
 
 namespace Foam::stability
@@ -16,6 +17,10 @@ TransferResult transfer(
     SeamCutting treatment(mesh, matches, target, origins, around, options);
     TransferResult result = treatment.run();
     treatment.carryOrigins();
+    if (around.section)
+    {
+        alignAcross(mesh, *around.section);
+    }
     around.chart.readOff(mesh);
     return result;
 }

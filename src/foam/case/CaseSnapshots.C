@@ -33,6 +33,20 @@ label nRings(const TrackerOptions& tracker)
     return n;
 }
 
+void refuseFiles(const CaseOptions& options)
+{
+    for (const FilesFrom& files : options.files)
+    {
+        if (!files.pattern.empty())
+        {
+            throw BadInput(
+                "The reconstruction fromFiles works on three-dimensional meshes only; "
+                "this one is two-dimensional or a wedge."
+            );
+        }
+    }
+}
+
 } // namespace
 
 CaseSnapshots::CaseSnapshots(
@@ -44,8 +58,13 @@ CaseSnapshots::CaseSnapshots(
           messages, [&] { return CaseFields(mesh, options.alpha, options.U, source); }
       )),
       flux_(mesh, options.phi, options.velocity, source),
-      surfaces_(mesh.time(), options.files), cells_(mesh, messages, nRings(tracker))
+      surfaces_(mesh.time(), options.files), nRings_(nRings(tracker)),
+      cells_(std::make_unique<MeshSnapshots>(mesh, messages, nRings_))
 {
+    if (cells_->section())
+    {
+        refuseFiles(options);
+    }
 }
 
 void CaseSnapshots::require(const instantList& times)
@@ -161,7 +180,28 @@ std::shared_ptr<FlowSnapshot> CaseSnapshots::takeFields()
             }
         }
     );
-    return cells_.take((*alpha)(), (*U)(), time(), phi ? &(*phi)() : nullptr);
+    if (nTaken_ == 0)
+    {
+        findWalls((*U)());
+    }
+    return cells_->take((*alpha)(), (*U)(), time(), phi ? &(*phi)() : nullptr);
+}
+
+// The first velocity tells; where the mesh knew better, it is not copied again.
+void CaseSnapshots::findWalls(const volVectorField& U)
+{
+    walls_ = wallPatches(U, messages_);
+    if (walls_.empty())
+    {
+        return;
+    }
+    wordHashSet names;
+    for (const WallPatch& wall : walls_)
+    {
+        names.insert(wall.name);
+    }
+    cells_.reset();
+    cells_ = std::make_unique<MeshSnapshots>(mesh_, messages_, nRings_, names);
 }
 
 } // namespace Foam::stability

@@ -29,6 +29,46 @@ Field<Type> boundaryValues(const GeometricField<Type, PatchField, GeoMesh>& fiel
     return values;
 }
 
+// The distances of places in a mesh from the axis of the wedge that it is [m].
+scalarField radii(const PlaneSection& section, const UList<point>& places)
+{
+    scalarField result(places.size());
+    forAll(result, i)
+    {
+        result[i] = section.radius(places[i]);
+    }
+    return result;
+}
+
+// Those of the complex over those of the mesh.
+scalarField
+stretches(const PlaneSection& section, const UList<point>& places, scalarField radii)
+{
+    forAll(radii, i)
+    {
+        radii[i] = radii[i] > VSMALL ? section.radius(places[i]) / radii[i] : 1;
+    }
+    return radii;
+}
+
+// The velocity in the section: without what flows across; and from the axis it is that
+// at the place in the complex, to which it is stretched, as it vanishes on the axis.
+void moveToSection(
+    vectorField& U, const CellComplex& complex, const scalarField& stretches
+)
+{
+    const std::optional<PlaneSection>& section = complex.whole().section;
+    const vector outward(section ? section->axis ^ section->normal : vector::zero);
+    forAll(U, i)
+    {
+        U[i] = complex.whole().inPlane(U[i]);
+        if (!stretches.empty())
+        {
+            U[i] += (stretches[i] - 1) * (U[i] & outward) * outward;
+        }
+    }
+}
+
 // At walls and symmetries the volume fraction is that of the cell. A patch of a contact
 // angle extrapolates, beyond [0, 1] if it is told to, and at the first time it does so
 // in the memory of a solver but not on disk. All in the order of the complex.
@@ -75,10 +115,28 @@ scalarField faceValues(const surfaceScalarField& field)
 } // namespace
 
 MeshSnapshots::MeshSnapshots(
-    const fvMesh& mesh, const RankMessages& messages, label nRings
+    const fvMesh& mesh, const RankMessages& messages, label nRings,
+    const wordHashSet& walls
 )
-    : messages_(messages), cells_(mesh, messages, nRings)
+    : messages_(messages), cells_(mesh, messages, nRings, walls)
 {
+    if (!section() || !section()->wedge)
+    {
+        return;
+    }
+    const CellComplex& complex = *cells_.complex();
+    const label nBoundary = complex.nBoundaryFaces(), first = complex.nInternalFaces();
+    const SubList<point> boundary(complex.faceCentres(), nBoundary, first);
+    const SubList<point> meshBoundary(
+        mesh.faceCentres(), mesh.nFaces() - mesh.nInternalFaces(), mesh.nInternalFaces()
+    );
+    cellStretches_ = stretches(
+        *section(), complex.cellCentres(),
+        cells_.cellValues(radii(*section(), mesh.cellCentres()))
+    );
+    boundaryStretches_ = stretches(
+        *section(), boundary, cells_.boundaryValues(radii(*section(), meshBoundary))
+    );
 }
 
 std::shared_ptr<FlowSnapshot> MeshSnapshots::take(
@@ -95,6 +153,8 @@ std::shared_ptr<FlowSnapshot> MeshSnapshots::take(
     correctAlpha(snapshot->boundaryAlphas[0], snapshot->alphas[0], complex);
     snapshot->U = cells_.cellValues(U.primitiveField());
     snapshot->boundaryU = cells_.boundaryValues(boundaryValues(U));
+    moveToSection(snapshot->U, complex, cellStretches_);
+    moveToSection(snapshot->boundaryU, complex, boundaryStretches_);
     correctVelocity(snapshot->boundaryU, snapshot->U, complex);
     std::string failure;
     try

@@ -35,6 +35,10 @@ interfaceStability::interfaceStability(
     readFirst(dict);
     // A condition of runTimeControl holds where its value does not exist.
     publish(stability::Statistics());
+    for (const char* fraction : {"stableFraction", "keptFraction", "coverage"})
+    {
+        setResult(word(fraction), scalar(1));
+    }
     if (!postProcess)
     {
         stability::checkFields(mesh_, controls_.fields, dict);
@@ -195,9 +199,7 @@ void interfaceStability::publish(const stability::Statistics& statistics)
             setResult(word(column.name), column.value(statistics));
         }
     }
-    const scalar detached =
-        statistics.detachedNearWall + statistics.detachedElsewhere; // [m2]
-    setResult(word("detachedArea"), detached);
+    setResult(word("detachedArea"), statistics.detachedArea());
 }
 
 bool interfaceStability::execute()

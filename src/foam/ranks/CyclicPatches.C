@@ -6,8 +6,6 @@
 #include "foam/errors/Failures.H"
 #include "cyclicPolyPatch.H"
 #include "processorCyclicPolyPatch.H"
-#include "syncTools.H"
-#include "vectorTensorTransform.H"
 
 #include <cmath>
 
@@ -18,9 +16,6 @@ namespace
 {
 
 constexpr int bits = 42; // of a motion, beyond which ranks may differ
-
-// Numbers and places are those at home, whatever they are synchronised through.
-constexpr auto asTheyAre = [](const vectorTensorTransform&, bool, auto&) {};
 
 const cyclicPolyPatch& cyclicOf(const polyPatch& patch)
 {
@@ -127,30 +122,6 @@ RigidMotion CyclicPatches::motionOf(const polyPatch& patch) const
     const cyclicPolyPatch& cyclic = cyclicOf(patch);
     const RigidMotion& motion = motions_[places_[pairOf(cyclic)]];
     return cyclic.owner() ? motion : motion.inverse();
-}
-
-labelList homePoints(const polyMesh& mesh, const labelList& numbers)
-{
-    labelList result(numbers);
-    syncTools::syncPointList(mesh, result, minEqOp<label>(), labelMax, asTheyAre);
-    return result;
-}
-
-pointField
-homesOf(const polyMesh& mesh, const labelList& numbers, const labelList& homePoints)
-{
-    pointField homes(mesh.points());
-    forAll(homes, pointi)
-    {
-        if (numbers[pointi] != homePoints[pointi])
-        {
-            homes[pointi] = point::max;
-        }
-    }
-    syncTools::syncPointList(
-        mesh, homes, minEqOp<point>(), point(point::max), asTheyAre
-    );
-    return homes;
 }
 
 } // namespace Foam::stability

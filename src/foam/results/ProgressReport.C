@@ -28,6 +28,22 @@ scalar roundedUp(scalar value)
     return std::ceil(value / digit * (1 - 1e-9)) * digit;
 }
 
+// What share of M is stable and what share of T was kept; nothing of nothing.
+std::string shares(const Statistics& s)
+{
+    std::ostringstream text;
+    text << std::setprecision(3);
+    if (s.area > 0)
+    {
+        text << 100 * s.stableFraction() << " % stable, ";
+    }
+    if (s.area + s.timeSurfaceArea + s.leftArea > 0)
+    {
+        text << 100 * s.keptFraction() << " % kept, ";
+    }
+    return text.str();
+}
+
 } // namespace
 
 void ProgressReport::classified(
@@ -56,12 +72,11 @@ void ProgressReport::showProgress(
     {
         line << " of " << nExpected_;
     }
-    line << ", time " << timeName << " s: " << s.nVertices << " vertices, "
-         << 100 * s.stableFraction() << " % stable, "
-         << s.detachedNearWall + s.detachedElsewhere << " m2 detached, " << s.nParticles
-         << " particles; moved " << s.displacement << " cells (largest "
-         << s.largestDisplacement << "), epsilon/interval " << s.smallestVisibleDrift()
-         << " m/s, noise floor " << s.noiseFloor << " cells; " << seconds << " s";
+    line << ", time " << timeName << " s: " << s.nVertices << " vertices, " << shares(s)
+         << s.detachedArea() << " m2 detached, " << s.nParticles << " particles; moved "
+         << s.displacement << " cells (largest " << s.largestDisplacement
+         << "), epsilon/interval " << s.smallestVisibleDrift() << " m/s, noise floor "
+         << s.noiseFloor << " cells; " << seconds << " s";
     if (nExpected_ > nClassified_)
     {
         const scalar left = seconds / nClassified_ * (nExpected_ - nClassified_);
@@ -72,7 +87,14 @@ void ProgressReport::showProgress(
 
 void ProgressReport::showDetails(const Classification& c) const
 {
-    if (c.statistics.nTriangles == 0)
+    const Statistics& s = c.statistics;
+    if (s.nTriangles == 0 && s.detachedArea() + s.leftArea > 0)
+    {
+        Info << "    there is no interface any more: of the last one " << s.leftArea
+             << " m2 left the domain and " << s.detachedArea() << " m2 detached"
+             << endl;
+    }
+    else if (s.nTriangles == 0)
     {
         Info << "    there is no interface at this time" << endl;
     }
@@ -115,6 +137,12 @@ void ProgressReport::showTroubles(const Classification& c, const word& timeName)
     {
         showFallbacks(*c.parametrization, timeName);
     }
+    if (c.impulsiveStart)
+    {
+        Info << "interfaceStability: at the first time the fluid is at rest, but the "
+             << "interface moved as if it had the velocity of the second time from the "
+             << "start: that is taken for the first interval" << endl;
+    }
     if (c.nFailedCells > 0)
     {
         Info << "interfaceStability: at time " << timeName << " s " << c.nFailedCells
@@ -138,7 +166,10 @@ void ProgressReport::showTroubles(const Classification& c, const word& timeName)
         Info << "interfaceStability: at time " << timeName << " s of the interface "
              << surface.nStuck << " points are stuck, " << surface.nLost
              << " lost; of the particles " << particles.nStuck << " stuck, "
-             << particles.nLost << " lost" << endl;
+             << particles.nLost << " lost. " << c.statistics.untrackedArea
+             << " m2 around such points of the interface have no match: untracked, "
+                "not detached"
+             << endl;
     }
 }
 
@@ -167,6 +198,30 @@ void ProgressReport::warn(
                 << " found no room, and no more will be seeded. Told once." << endl;
     }
     warnOfNoise(c, timeName);
+    warnOfShortInterval(c, timeName);
+}
+
+// An interface that stands still is within epsilon of one that moved less than that. A
+// flow that hardly moves it is no fault of the interval, so the way must add up.
+void ProgressReport::warnOfShortInterval(const Classification& c, const word& timeName)
+{
+    const Statistics& s = c.statistics;
+    unseen_ = s.displacement < s.epsilonCells ? unseen_ + s.displacement : 0;
+    if (warnedInterval_ || !(unseen_ > s.epsilonCells))
+    {
+        return;
+    }
+    warnedInterval_ = true;
+    const scalar better =
+        max(min(2 * s.epsilonCells, largestDisplacement), 1.2 * s.epsilonCells);
+    Warning << "interfaceStability: at time " << timeName
+            << " s the interval lies below epsilon: the interface had moved "
+            << s.displacement << " cells (rms) since the last classified time, and "
+            << "epsilon is " << s.epsilonCells << " cells, so that even an interface "
+            << "that stands still in the flow counts as stable. Better is an interval "
+            << "of " << roundedUp(s.interval * better / s.displacement)
+            << " s, or a smaller epsilon. Told once; see the columns displacement and "
+            << "epsilonPerInterval of stability.dat." << endl;
 }
 
 void ProgressReport::warnOfNoise(const Classification& c, const word& timeName)

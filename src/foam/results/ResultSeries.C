@@ -43,9 +43,10 @@ std::string pieceOf(const std::string& name, label ranki)
 } // namespace
 
 ResultSeries::ResultSeries(
-    const fileName& folder, SurfaceParts parts, const Exchange& exchange
+    const fileName& folder, SurfaceParts parts,
+    const std::optional<PlaneSection>& section, const Exchange& exchange
 )
-    : folder_(folder), parts_(parts), exchange_(exchange)
+    : folder_(folder), parts_(parts), section_(section), exchange_(exchange)
 {
 }
 
@@ -99,6 +100,15 @@ void ResultSeries::list(Family& family, const std::string& file, scalar time) co
     replaceFile(folder_ / (family.name + ending + ".series"), text + "  ]\n}\n");
 }
 
+ResultSurface ResultSeries::inMesh(ResultSurface surface) const
+{
+    if (section_)
+    {
+        moveIntoMesh(surface, *section_);
+    }
+    return surface;
+}
+
 void ResultSeries::writeWhole(Family& family, label index, const SurfaceMaker& make)
 {
     runOnAllRanks(
@@ -108,7 +118,7 @@ void ResultSeries::writeWhole(Family& family, label index, const SurfaceMaker& m
             if (exchange_.isMaster())
             {
                 const sigFpe::ignore untrapped; // VTK divides by zero at times
-                const ResultSurface surface(make());
+                const ResultSurface surface(inMesh(make()));
                 const std::string file = numbered(family.name, index) + ".vtp";
                 open();
                 writer_->writeVtp(folder_ / file, surface);
@@ -141,7 +151,7 @@ void ResultSeries::writePieces(Family& family, label index, const SurfaceMaker& 
         [&]
         {
             const sigFpe::ignore untrapped;
-            surface = make();
+            surface = inMesh(make());
             if (master || !surface.points.empty())
             {
                 open();

@@ -106,7 +106,8 @@ def check_legend(texture, picture, bare):
     square = panel[480:660, 40:220].reshape(-1, 3)
     compare("the legend shows the texture", square, texture[100:-90, 90:-90].mean(axis=(0, 1)))
     verdict("the legend tells the time", (panel[895:935].max(axis=2) < 100).sum() > 100, "no text")
-    wall = slice(267, 276), slice(28, 39)
+    compare("the legend explains what entered", panel[311:321, 28:39].reshape(-1, 3), [120, 80, 40])
+    wall = slice(223, 232), slice(28, 39)
     verdict("the legend explains walls", panel[wall].max() < 215, panel[wall].mean())
     bare = bare[:, int(np.ceil(SCENE)) + 2 :]
     verdict("without a mesh it has no wall", bare[wall].min() > 235, bare[wall].mean())

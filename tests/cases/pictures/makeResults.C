@@ -49,7 +49,7 @@ ResultSurface sphere(scalar time, const point& shift)
             );
             result.points[nRing * j + i] = centre + shift + radius * x;
             const bool attached = v > capLatitude;
-            const vector2D p = attached ? BlackSwatch::middle()
+            const vector2D p = attached ? Swatches::attached()
                                         : vector2D(0.04 + 0.92 * u, 0.06 + 0.92 * v);
             texture.values.insert(texture.values.end(), {p.x(), p.y()});
             stability.values.push_back(attached);

@@ -14,9 +14,9 @@ Usage
     Entries of system/exactInterfaceDict:
     \table
         Property       | Description                           | Required | Default
-        shape          | sphere or plane                       | yes  |
-        centre         | of the sphere, a point of the plane   | yes  |
-        radius         | of the sphere [m]                     | sphere only |
+        shape          | sphere, plane or disc                 | yes  |
+        centre         | of it; a point of the plane           | yes  |
+        radius         | of sphere and disc [m]                | these only |
         normal         | of the plane                          | plane only  |
         axis           | of the body's rotation                | no | (0 0 1)
         through        | a point of that axis                  | no | (0 0 0)
@@ -28,15 +28,26 @@ Usage
         deformation    | of the unit cube, LeVeque's: period [s]; 0: none | no | 0
         velocityFactor | U is the body's own times this        | no | 1
         drift          | and faster along the normal by [m/s]  | no | 0
+        strainAxis     | of the strain; the axis of a wedge    | wedge only | (1 0 0)
+        strain         | along it, from \c through [1/s]; the sides approach it so
+                         that no volume changes; for a disc    | no | 0
+        phi            | are fluxes written? Those of U at the centres of faces
+                                                               | no | no
     \endtable
     The body lies at \c centre at time 0 and is filled with water (alpha.water = 1);
     a plane is filled on the side that the normal leaves; its cells are boxes. A
-deformed sphere does not rotate, translate or drift.
+    deformed sphere does not rotate, translate or drift. A disc is that of a mesh
+    between \c empty planes or, as a section through a body of revolution, of a wedge;
+one that is strained does not rotate or translate.
 */
 
 #include "fvCFD.H"
 
+#include "emptyPolyPatch.H"
+#include "wedgePolyPatch.H"
+
 #include "shapes/DeformedSphere.H"
+#include "shapes/DiscShare.H"
 #include "shapes/PlaneVolume.H"
 #include "shapes/SphereVolume.H"
 
@@ -50,18 +61,20 @@ namespace
 enum class Shape
 {
     sphere,
-    plane
+    plane,
+    disc
 };
 
-const Enum<Shape> shapeNames{{Shape::sphere, "sphere"}, {Shape::plane, "plane"}};
+const Enum<Shape> shapeNames{
+    {Shape::sphere, "sphere"}, {Shape::plane, "plane"}, {Shape::disc, "disc"}};
 
 // The body and its rigid motion; Enum and dictionary end here.
 class Body
 {
 public:
-    explicit Body(const dictionary& dict)
+    Body(const dictionary& dict, const polyMesh& mesh)
         : shape_(shapeNames.get("shape", dict)), centre_(dict.get<point>("centre")),
-          radius_(shape_ == Shape::sphere ? dict.get<scalar>("radius") : 0),
+          radius_(shape_ == Shape::plane ? 0 : dict.get<scalar>("radius")),
           normal_(shape_ == Shape::plane ? dict.get<vector>("normal") : vector::zero),
           axis_(normalised(dict.lookupOrDefault("axis", vector(0, 0, 1)))),
           through_(dict.lookupOrDefault("through", point::zero)),
@@ -70,6 +83,8 @@ public:
           sectors_(dict.lookupOrDefault<label>("sectors", 1)),
           velocityFactor_(dict.lookupOrDefault<scalar>("velocityFactor", 1)),
           drift_(dict.lookupOrDefault<scalar>("drift", 0)),
+          strainAxis_(normalised(dict.lookupOrDefault("strainAxis", vector(1, 0, 0)))),
+          strain_(dict.lookupOrDefault<scalar>("strain", 0)), section_(sectionOf(mesh)),
           deformation_(dict.lookupOrDefault<scalar>("deformation", 0))
     {
         const scalar period = dict.lookupOrDefault<scalar>("period", 0);
@@ -82,6 +97,10 @@ public:
 
     scalarField fractions(const polyMesh& mesh, scalar time) const
     {
+        if (shape_ == Shape::disc)
+        {
+            return discFractions(mesh, time);
+        }
         if (deformation_ > 0)
         {
             return DeformedSphere({centre_, radius_}, deformation_)
@@ -106,9 +125,8 @@ public:
             return velocityFactor_ * deformation(x, time, deformation_);
         }
         const vector own = velocity_ + angularSpeed_ * (axis_ ^ (x - through_));
-        const vector away =
-            shape_ == Shape::sphere ? normalised(x - at(time)) : normal_;
-        return velocityFactor_ * own + drift_ * away;
+        const vector away = shape_ == Shape::plane ? normal_ : normalised(x - at(time));
+        return velocityFactor_ * (own + strainAt(x)) + drift_ * away;
     }
 
 private:
@@ -168,6 +186,87 @@ private:
         return Foam::max(0.0, Foam::min(1.0, volumes / mesh.cellVolumes()));
     }
 
+    // The faces in which the cells end on the low side, and what lies across them.
+    struct Section
+    {
+        bool wedge = false;
+        vector normal{Zero};
+        DynamicList<label> ends; // faces of the mesh
+    };
+
+    static Section sectionOf(const polyMesh& mesh)
+    {
+        Section section;
+        for (const polyPatch& patch : mesh.boundaryMesh())
+        {
+            const bool wedge = isA<wedgePolyPatch>(patch);
+            if (!wedge && !isA<emptyPolyPatch>(patch))
+            {
+                continue;
+            }
+            section.wedge = section.wedge || wedge;
+            for (label i = 0; i < patch.size(); ++i)
+            {
+                const vector area(patch.faceAreas()[i]);
+                const vector size(cmptMag(area));
+                direction d = size.x() > size.y() ? 0 : 1;
+                d = size.z() > size[d] ? 2 : d;
+                section.normal = Zero;
+                section.normal[d] = 1;
+                if (area[d] < 0)
+                {
+                    section.ends.append(patch.start() + i);
+                }
+            }
+        }
+        return section;
+    }
+
+    // A strained disc is the undeformed one, seen in the coordinates of the start.
+    scalarField discFractions(const polyMesh& mesh, scalar time) const
+    {
+        const Section& section = section_;
+        const vector side(section.normal ^ strainAxis_);
+        const point centre(strain_ == 0 ? at(time) : centre_);
+        const auto inPlane = [&](const point& x, scalar t)
+        {
+            const vector2D place((x - through_) & strainAxis_, (x - through_) & side);
+            const scalar stretch = std::exp(-strain_ * t);
+            const scalar across = section.wedge ? 1 / std::sqrt(stretch) : 1 / stretch;
+            return vector2D(stretch * place.x(), across * place.y());
+        };
+        scalarField fractions(mesh.nCells(), 0);
+        for (const label facei : section.ends)
+        {
+            List<vector2D> polygon;
+            for (const label pointi : mesh.faces()[facei])
+            {
+                polygon.append(inPlane(mesh.points()[pointi], time));
+            }
+            const PlaneShare disc(discShare(polygon, inPlane(centre, 0), radius_));
+            const PlaneShare all(polygonShare(polygon));
+            const scalar share =
+                section.wedge ? disc.moment / all.moment : disc.area / all.area;
+            fractions[mesh.faceOwner()[facei]] = Foam::max(0.0, Foam::min(1.0, share));
+        }
+        return fractions;
+    }
+
+    vector strainAt(const point& x) const
+    {
+        if (strain_ == 0)
+        {
+            return vector::zero;
+        }
+        const vector arm(x - through_);
+        const vector along = (arm & strainAxis_) * strainAxis_;
+        const vector across(arm - along);
+        return strain_
+               * (section_.wedge
+                      ? along - 0.5 * across
+                      : along - across + (across & section_.normal) * section_.normal);
+    }
+
     // Volume fractions of cells that are axis-aligned boxes.
     scalarField planeFractions(const polyMesh& mesh, const point& on) const
     {
@@ -193,11 +292,14 @@ private:
     label sectors_;
     scalar velocityFactor_;
     scalar drift_;
+    vector strainAxis_;
+    scalar strain_; // [1/s]
+    Section section_;
     scalar deformation_;      // [s]
     scalar angularSpeed_ = 0; // [rad/s]
 };
 
-void writeTime(const fvMesh& mesh, const Body& body)
+void writeTime(const fvMesh& mesh, const Body& body, bool withPhi)
 {
     const scalar time = mesh.time().value();
     const auto field = [&mesh](const word& name)
@@ -228,6 +330,30 @@ void writeTime(const fvMesh& mesh, const Body& body)
     }
     alpha.write();
     U.write();
+    if (withPhi)
+    {
+        surfaceScalarField phi(
+            field("phi"), mesh, dimensionedScalar(dimVolume / dimTime, Zero)
+        );
+        phi.setOriented();
+        const auto flux = [&](label facei) {
+            return body.velocity(mesh.faceCentres()[facei], time)
+                   & mesh.faceAreas()[facei];
+        };
+        forAll(phi, facei)
+        {
+            phi[facei] = flux(facei);
+        }
+        forAll(mesh.boundary(), patchi)
+        {
+            scalarField& values = phi.boundaryFieldRef()[patchi];
+            forAll(values, i)
+            {
+                values[i] = flux(mesh.boundary()[patchi].start() + i);
+            }
+        }
+        phi.write();
+    }
 }
 
 } // namespace
@@ -242,15 +368,17 @@ int main(int argc, char* argv[])
 
 #include "createMesh.H"
 
-    const Body body(IOdictionary(IOobject(
+    const IOdictionary dict(IOobject(
         "exactInterfaceDict", runTime.system(), mesh, IOobject::MUST_READ,
         IOobject::NO_WRITE
-    )));
+    ));
+    const Body body(dict, mesh);
+    const bool withPhi = dict.lookupOrDefault("phi", false);
 
-    writeTime(mesh, body);
+    writeTime(mesh, body, withPhi);
     while (runTime.loop())
     {
-        writeTime(mesh, body);
+        writeTime(mesh, body, withPhi);
     }
     Info << "Wrote " << runTime.timeIndex() + 1 << " times" << endl;
     return 0;

@@ -53,14 +53,16 @@ void addOptions(Parser& parser, Arguments& arguments, Texts& texts)
     parser.AddArgument(
         "-camera", value, &texts.camera,
         "azimuth,elevation[,zoom]: degrees around the "
-        "upward axis and above the horizon (default: 30,22,1)"
+        "upward axis and above the horizon (default: 30,22,1, in two dimensions 0,0,1: "
+        "face-on)"
     );
     parser.AddArgument(
         "-up", value, &arguments.up,
         "x, y, z, -x, -y or -z (default: against constant/g)"
     );
     parser.AddArgument(
-        "-opacity", value, &texts.opacity, "of the surface, 0.05 to 1 (default: 0.85)"
+        "-opacity", value, &texts.opacity,
+        "of the surface, 0.05 to 1 (default: 0.85, in two dimensions 1)"
     );
     parser.AddArgument(
         "-particleSize", value, &texts.particleSize,

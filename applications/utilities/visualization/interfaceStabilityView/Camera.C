@@ -78,15 +78,40 @@ vtkVector3d axis(int i)
     return x;
 }
 
+// Half the height of the picture in which every corner of the box lies.
+double fittingHeight(
+    const vtkBoundingBox& box, const Frustum& frustum, const vtkVector3d& focus,
+    double aspect
+)
+{
+    double height = 0;
+    for (int i = 0; i < 8; ++i)
+    {
+        const vtkVector3d x = corner(box, i) - focus;
+        const double wide = std::abs(x.Dot(frustum.right)) / aspect;
+        height = std::max({height, wide, std::abs(x.Dot(frustum.up))});
+    }
+    return height;
+}
+
 } // namespace
+
+vtkVector3d rightAxis(const vtkVector3d& up, const std::optional<vtkVector3d>& normal)
+{
+    int i = std::abs(up[0]) > 0.5 ? 1 : 0;
+    while (normal && (std::abs((*normal)[i]) > 0.5 || std::abs(up[i]) > 0.5))
+    {
+        ++i;
+    }
+    return axis(i);
+}
 
 void aim(
     vtkCamera& camera, const vtkBoundingBox& box, const ViewDirection& view,
     double aspect
 )
 {
-    // Seen from the front, x runs to the right (y where x is up).
-    const vtkVector3d right = axis(std::abs(view.up[0]) > 0.5 ? 1 : 0);
+    const vtkVector3d& right = view.right;
     const vtkVector3d front = right.Cross(view.up);
     const double a = vtkMath::RadiansFromDegrees(view.azimuth);
     const double e = vtkMath::RadiansFromDegrees(view.elevation);
@@ -112,6 +137,11 @@ void aim(
     camera.SetPosition(eye.GetData());
     camera.SetViewUp(frustum.up.GetData());
     camera.SetViewAngle(viewAngle);
+    if (view.parallel)
+    {
+        camera.ParallelProjectionOn();
+        camera.SetParallelScale(margin * fittingHeight(box, frustum, focus, aspect));
+    }
     camera.Zoom(view.zoom);
 }
 

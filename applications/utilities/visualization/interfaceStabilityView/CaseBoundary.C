@@ -27,15 +27,6 @@ namespace
 
 namespace fs = std::filesystem;
 
-// The text of an OpenFOAM file without comments; empty if it cannot be read.
-std::string textOf(const fs::path& path)
-{
-    std::ifstream stream(path);
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    static const std::regex comment(R"(/\*[^*]*\*+([^/*][^*]*\*+)*/|//[^\n]*)");
-    return std::regex_replace(text, comment, " ");
-}
-
 // Patches of constant/polyMesh/boundary by name. VTK's reader knows the faces, but
 // not the types.
 std::map<std::string, std::string> patchTypes(const fs::path& boundary)
@@ -148,10 +139,21 @@ bool isOuter(const std::string& type)
 
 } // namespace
 
+std::string textOf(const fs::path& path)
+{
+    std::ifstream stream(path);
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    static const std::regex comment(R"(/\*[^*]*\*+([^/*][^*]*\*+)*/|//[^\n]*)");
+    return std::regex_replace(text, comment, " ");
+}
+
 CaseBoundary readCaseBoundary(const fs::path& caseFolder)
 {
     CaseBoundary result;
-    result.walls = vtkSmartPointer<vtkPolyData>::New();
+    for (auto* faces : {&result.walls, &result.allWalls, &result.outer})
+    {
+        *faces = vtkSmartPointer<vtkPolyData>::New();
+    }
     const fs::path control = caseFolder / "system" / "controlDict";
     const fs::path mesh = caseFolder / "constant" / "polyMesh";
     std::error_code ignored;
@@ -168,18 +170,18 @@ CaseBoundary readCaseBoundary(const fs::path& caseFolder)
     reader->DisableAllCellArrays();
     reader->DisableAllPointArrays();
     reader->DisableAllLagrangianArrays();
-    const auto all = patchFaces(
+    result.outer = patchFaces(
         *reader, [&](const std::string& name) { return isOuter(types[name]); }
     );
-    if (all->GetNumberOfPoints() > 0)
+    if (result.outer->GetNumberOfPoints() > 0)
     {
-        result.box.SetBounds(all->GetBounds());
-        const auto walls = patchFaces(
+        result.box.SetBounds(result.outer->GetBounds());
+        result.allWalls = patchFaces(
             *reader, [&](const std::string& name) { return types[name] == "wall"; }
         );
-        if (walls->GetNumberOfPoints() > 0)
+        if (result.allWalls->GetNumberOfPoints() > 0)
         {
-            result.walls = withoutBox(*walls, result.box);
+            result.walls = withoutBox(*result.allWalls, result.box);
         }
     }
     const std::string error = takeError();

@@ -30,7 +30,7 @@ constexpr double firstKey = 350;
 constexpr double keyStep = 44;
 constexpr double keySide = 20;
 constexpr double fontSize = 17;
-constexpr double lineSpacing = 1.6;
+constexpr double lineSpacing = 1.5;
 
 template<class... Values>
 std::string formatted(const char* format, Values... values)
@@ -62,7 +62,7 @@ vtkSmartPointer<vtkPlaneSource> square(double x, double y, double side)
 
 } // namespace
 
-Legend::Legend(int width, int height, vtkTexture& texture, bool withWalls)
+Legend::Legend(int width, int height, vtkTexture& texture, bool withWalls, bool section)
     : width_(width), height_(height),
       unit_(std::min(width / panelWidth, height / panelHeight))
 {
@@ -83,7 +83,7 @@ Legend::Legend(int width, int height, vtkTexture& texture, bool withWalls)
     values_->GetTextProperty()->SetLineSpacing(lineSpacing);
     values_->GetTextProperty()->SetJustificationToRight();
     addTexture(texture);
-    addKeys(withWalls);
+    addKeys(withWalls, section);
 }
 
 void Legend::addTexture(vtkTexture& texture)
@@ -104,19 +104,28 @@ void Legend::addTexture(vtkTexture& texture)
     addText("grid lines at 1/16", left, textureBottom - 50, 14);
 }
 
-void Legend::addKeys(bool withWalls)
+void Legend::addKeys(bool withWalls, bool section)
 {
     const double text = left + keySide + 12;
     double y = firstKey;
     addSquare(left, y, keySide, colours::attached);
     addText("attached now or before", text, y + 3, fontSize);
     y -= keyStep;
+    addSquare(left, y, keySide, colours::entered);
+    addText("entered now or before", text, y + 3, fontSize);
+    y -= keyStep;
     addDisk(left + 0.5 * keySide, y + 0.5 * keySide, 0.35 * keySide, colours::detached);
     addText("detached: particles", text, y + 3, fontSize);
+    if (section)
+    {
+        y -= keyStep;
+        addSquare(left, y, keySide, colours::fluid);
+        addText("fluid", text, y + 3, fontSize);
+    }
     if (withWalls)
     {
         y -= keyStep;
-        addSquare(left, y, keySide, colours::wall);
+        addSquare(left, y, keySide, section ? colours::edge : colours::wall);
         addText("wall", text, y + 3, fontSize);
     }
 }
@@ -165,6 +174,10 @@ void Legend::show(const Frame& frame, const FrameNumbers& numbers)
     if (numbers.stableFraction)
     {
         add("stable area", formatted("%.2f %%", 100 * *numbers.stableFraction));
+    }
+    if (numbers.keptFraction)
+    {
+        add("kept of T", formatted("%.2f %%", 100 * *numbers.keptFraction));
     }
     if (numbers.coverage)
     {

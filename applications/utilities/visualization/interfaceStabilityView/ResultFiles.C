@@ -201,8 +201,8 @@ FrameNumbers ResultFiles::numbers(const Frame& frame) const
         return found == row.end() ? std::optional<double>() : found->second;
     };
     return {
-        value("epsilon"), value("stableFraction"), value("coverage"),
-        value("particles")};
+        value("epsilon"), value("stableFraction"), value("keptFraction"),
+        value("coverage"), value("particles")};
 }
 
 } // namespace Foam::stability

@@ -5,6 +5,7 @@
 #include "Camera.H"
 #include "Colours.H"
 #include "Messages.H"
+#include "Section.H"
 #include "Surface.H"
 #include "Surroundings.H"
 
@@ -29,8 +30,10 @@ namespace
 
 // Depth peeling excludes multisampling: drawn larger and averaged instead.
 constexpr int oversampling = 2;
-constexpr double lineWidth = 1.2; // [pixels]
-constexpr int nPeels = 12;        // each from the front and from the back
+constexpr double lineWidth = 1.2;        // [pixels]
+constexpr double broadLineWidth = 0.008; // [diagonals] of the interface of a section
+constexpr double layer = 1e-3; // [diagonals] from one of its layers to the next
+constexpr int nPeels = 12;     // each from the front and from the back
 
 // The legend keeps its shape; it takes what it needs of a wide picture, not more.
 int legendWidth(const std::array<int, 2>& size)
@@ -74,15 +77,50 @@ vtkBoundingBox boxOfResults(const ResultFiles& results)
     return box;
 }
 
-vtkVector3d upwards(const std::string& asked, const std::filesystem::path& caseFolder)
+// A section is not seen from along its normal.
+vtkVector3d upwards(
+    const std::string& asked, const std::filesystem::path& caseFolder,
+    const std::optional<vtkVector3d>& normal
+)
 {
     if (asked.empty())
     {
-        return upwardAxis(caseFolder);
+        const vtkVector3d up = upwardAxis(caseFolder);
+        const bool along = normal && std::abs(up.Dot(*normal)) > 0.5;
+        return !along                         ? up
+               : std::abs((*normal)[2]) > 0.5 ? vtkVector3d(0, 1, 0)
+                                              : vtkVector3d(0, 0, 1);
     }
     vtkVector3d up(0, 0, 0);
     up[asked.back() - 'x'] = asked[0] == '-' ? -1 : 1;
     return up;
+}
+
+// The normal of the section, if the results are of one.
+std::optional<vtkVector3d> normalOf(const ResultFiles& results)
+{
+    try
+    {
+        return sectionNormal(*readSurface(results.frames().front().interface));
+    }
+    catch (const std::runtime_error&)
+    {
+        return std::nullopt; // the file is told of when it is asked for
+    }
+}
+
+vtkBoundingBox flattenedBox(const vtkBoundingBox& box, const vtkVector3d& normal)
+{
+    double bounds[6];
+    box.GetBounds(bounds);
+    for (int i = 0; i < 3; ++i)
+    {
+        if (std::abs(normal[i]) > 0.5)
+        {
+            bounds[2 * i] = bounds[2 * i + 1] = 0;
+        }
+    }
+    return vtkBoundingBox(bounds);
 }
 
 void addLight(vtkRenderer& renderer, double x, double y, double intensity)
@@ -100,7 +138,7 @@ void addLight(vtkRenderer& renderer, double x, double y, double intensity)
 Scene::Scene(const Arguments& arguments, const ResultFiles& results)
     : arguments_(arguments), results_(results),
       boundary_(readCaseBoundary(results.caseFolder())),
-      texture_(readTexture(results.texture()))
+      texture_(readTexture(results.texture())), normal_(normalOf(results))
 {
     if (!boundary_.box.IsValid())
     {
@@ -108,12 +146,38 @@ Scene::Scene(const Arguments& arguments, const ResultFiles& results)
     }
     placeRenderers();
     placeLights();
-    showSurroundings();
+    if (normal_)
+    {
+        boundary_.box = flattenedBox(boundary_.box, *normal_);
+        fluid_ = std::make_unique<CaseFluid>(results.caseFolder());
+        showOutline();
+    }
+    else
+    {
+        showSurroundings();
+    }
+    lookAtIt();
+}
 
+void Scene::lookAtIt()
+{
     const int width = arguments_.size[0] - legendWidth(arguments_.size);
-    const ViewDirection view{
-        upwards(arguments_.up, results.caseFolder()), arguments_.azimuth,
-        arguments_.elevation, arguments_.zoom};
+    ViewDirection view;
+    view.up = upwards(arguments_.up, results_.caseFolder(), normal_);
+    if (normal_ && std::abs(view.up.Dot(*normal_)) > 0.5)
+    {
+        throw std::runtime_error(
+            "The option -up " + arguments_.up
+            + " is along the normal of the two-dimensional mesh, which is seen "
+              "face-on: "
+              "take another axis."
+        );
+    }
+    view.right = rightAxis(view.up, normal_);
+    view.azimuth = arguments_.azimuth.value_or(normal_ ? 0 : 30);
+    view.elevation = arguments_.elevation.value_or(normal_ ? 0 : 22);
+    view.zoom = arguments_.zoom;
+    view.parallel = bool(normal_);
     aim(*renderer_->GetActiveCamera(), boundary_.box, view,
         double(width) / arguments_.size[1]);
 }
@@ -138,8 +202,10 @@ void Scene::placeRenderers()
     renderer_->SetOcclusionRatio(0);
     window_->AddRenderer(renderer_);
 
-    const bool withWalls = boundary_.walls->GetNumberOfCells() > 0;
-    legend_ = std::make_unique<Legend>(panelWidth, height, *texture_, withWalls);
+    const auto& walls = normal_ ? boundary_.allWalls : boundary_.walls;
+    legend_ = std::make_unique<Legend>(
+        panelWidth, height, *texture_, walls->GetNumberOfCells() > 0, bool(normal_)
+    );
     legend_->renderer().SetViewport(border, 0, 1, 1);
     window_->AddRenderer(&legend_->renderer());
 }
@@ -162,6 +228,42 @@ void Scene::showSurroundings()
     }
 }
 
+// Heights are those of the layers in front of each other, in diagonals.
+void Scene::showOutline()
+{
+    const double width = oversampling * lineWidth;
+    const double height = layer * boundary_.box.GetDiagonalLength();
+    if (boundary_.outer->GetNumberOfCells() == 0)
+    {
+        renderer_->AddActor(boxActor(boundary_.box, width));
+        return;
+    }
+    const auto show = [&](vtkPolyData& lines, double broad)
+    { renderer_->AddActor(linesActor(*flattened(lines, *normal_, height), broad)); };
+    show(*outlineOf(*boundary_.outer, *normal_), width);
+    show(*sectionLines(*boundary_.allWalls, *normal_), 3 * width);
+}
+
+// Laid flat: the fluid at the height 0, then the outline, the interface, the particles.
+void Scene::showSection(const Frame& frame, vtkPolyData& interface)
+{
+    const double diagonal = boundary_.box.GetDiagonalLength();
+    const auto shades = fluid_->shades(frame.time, *normal_);
+    if (shades->GetNumberOfPolys() > 0)
+    {
+        frameActors_.push_back(lightActor(*flattened(*shades, *normal_, 0)));
+    }
+    if (interface.GetNumberOfPolys() > 0)
+    {
+        const auto line = broadLine(
+            interface, *normal_, broadLineWidth * diagonal, 2 * layer * diagonal
+        );
+        frameActors_.push_back(
+            broadLineActor(*line, *texture_, arguments_.opacity.value_or(1))
+        );
+    }
+}
+
 void Scene::showFrame(const Frame& frame)
 {
     for (const auto& actor : frameActors_)
@@ -171,14 +273,19 @@ void Scene::showFrame(const Frame& frame)
     frameActors_.clear();
 
     const auto surface = readSurface(frame.interface);
-    if (surface->GetNumberOfPolys() > 0)
+    if (normal_)
     {
-        frameActors_.push_back(surfaceActor(*surface, *texture_, arguments_.opacity));
+        showSection(frame, *surface);
+    }
+    else if (surface->GetNumberOfPolys() > 0)
+    {
+        const double opacity = arguments_.opacity.value_or(0.85);
+        frameActors_.push_back(surfaceActor(*surface, *texture_, opacity));
     }
     FrameNumbers numbers = results_.numbers(frame);
     if (!frame.particles.empty())
     {
-        const auto particles = readSurface(frame.particles);
+        auto particles = readSurface(frame.particles);
         if (!numbers.particles)
         {
             numbers.particles = double(particles->GetNumberOfPoints());
@@ -186,6 +293,10 @@ void Scene::showFrame(const Frame& frame)
         if (particles->GetNumberOfPoints() > 0)
         {
             const double diagonal = boundary_.box.GetDiagonalLength();
+            if (normal_)
+            {
+                particles = flattened(*particles, *normal_, 3 * layer * diagonal);
+            }
             frameActors_.push_back(
                 particleActor(*particles, arguments_.particleSize * diagonal)
             );

@@ -52,50 +52,6 @@ void checkRead(const std::filesystem::path& path, bool complete)
     }
 }
 
-// Normals by area over all triangles around a place: points are split along the seams
-// of p, and the light must not show those.
-vtkSmartPointer<vtkFloatArray> normals(vtkPolyData& data)
-{
-    const vtkIdType nPoints = data.GetNumberOfPoints();
-    vtkDataArray* vertex = data.GetPointData()->GetArray("vertex");
-    std::vector<vtkIdType> place(nPoints);
-    vtkIdType nPlaces = 0;
-    for (vtkIdType i = 0; i < nPoints; ++i)
-    {
-        place[i] = vertex ? vtkIdType(vertex->GetTuple1(i)) : i;
-        nPlaces = std::max(nPlaces, place[i] + 1);
-    }
-
-    std::vector<vtkVector3d> sums(nPlaces, vtkVector3d(0, 0, 0));
-    vtkIdType n = 0;
-    const vtkIdType* corners = nullptr;
-    vtkCellArray* polys = data.GetPolys();
-    for (polys->InitTraversal(); polys->GetNextCell(n, corners);)
-    {
-        vtkVector3d a, b, c;
-        data.GetPoint(corners[0], a.GetData());
-        data.GetPoint(corners[1], b.GetData());
-        data.GetPoint(corners[2], c.GetData());
-        const vtkVector3d area = (b - a).Cross(c - a);
-        for (vtkIdType k = 0; k < n; ++k)
-        {
-            sums[place[corners[k]]] = sums[place[corners[k]]] + area;
-        }
-    }
-
-    auto result = vtkSmartPointer<vtkFloatArray>::New();
-    result->SetName("Normals");
-    result->SetNumberOfComponents(3);
-    result->SetNumberOfTuples(nPoints);
-    for (vtkIdType i = 0; i < nPoints; ++i)
-    {
-        vtkVector3d normal = sums[place[i]];
-        normal.Normalize();
-        result->SetTuple(i, normal.GetData());
-    }
-    return result;
-}
-
 // Paper 5.1: opacity by the angle between normal and line of sight.
 void modulateOpacity(vtkActor& actor)
 {
@@ -172,12 +128,55 @@ vtkSmartPointer<vtkTexture> readTexture(const std::filesystem::path& path)
     return texture;
 }
 
+// Points are split along the seams of p, and the light must not show those.
+vtkSmartPointer<vtkFloatArray> surfaceNormals(vtkPolyData& data)
+{
+    const vtkIdType nPoints = data.GetNumberOfPoints();
+    vtkDataArray* vertex = data.GetPointData()->GetArray("vertex");
+    std::vector<vtkIdType> place(nPoints);
+    vtkIdType nPlaces = 0;
+    for (vtkIdType i = 0; i < nPoints; ++i)
+    {
+        place[i] = vertex ? vtkIdType(vertex->GetTuple1(i)) : i;
+        nPlaces = std::max(nPlaces, place[i] + 1);
+    }
+
+    std::vector<vtkVector3d> sums(nPlaces, vtkVector3d(0, 0, 0));
+    vtkIdType n = 0;
+    const vtkIdType* corners = nullptr;
+    vtkCellArray* polys = data.GetPolys();
+    for (polys->InitTraversal(); polys->GetNextCell(n, corners);)
+    {
+        vtkVector3d a, b, c;
+        data.GetPoint(corners[0], a.GetData());
+        data.GetPoint(corners[1], b.GetData());
+        data.GetPoint(corners[2], c.GetData());
+        const vtkVector3d area = (b - a).Cross(c - a);
+        for (vtkIdType k = 0; k < n; ++k)
+        {
+            sums[place[corners[k]]] = sums[place[corners[k]]] + area;
+        }
+    }
+
+    auto result = vtkSmartPointer<vtkFloatArray>::New();
+    result->SetName("Normals");
+    result->SetNumberOfComponents(3);
+    result->SetNumberOfTuples(nPoints);
+    for (vtkIdType i = 0; i < nPoints; ++i)
+    {
+        vtkVector3d normal = sums[place[i]];
+        normal.Normalize();
+        result->SetTuple(i, normal.GetData());
+    }
+    return result;
+}
+
 vtkSmartPointer<vtkActor>
 surfaceActor(vtkPolyData& interface, vtkTexture& texture, double opacity)
 {
     vtkNew<vtkPolyData> shape;
     shape->ShallowCopy(&interface);
-    shape->GetPointData()->SetNormals(normals(interface));
+    shape->GetPointData()->SetNormals(surfaceNormals(interface));
     vtkPointData* arrays = shape->GetPointData();
     if (vtkDataArray* coordinates = arrays->GetArray("TCoords"))
     {

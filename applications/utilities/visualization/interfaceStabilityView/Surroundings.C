@@ -10,6 +10,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkTriangleFilter.h>
+#include <vtkTrivialProducer.h>
 
 namespace Foam::stability
 {
@@ -39,6 +40,13 @@ vtkSmartPointer<vtkActor> boxActor(const vtkBoundingBox& box, double lineWidth)
     vtkNew<vtkOutlineSource> outline;
     outline->SetBounds(bounds);
     return lineActor(*outline, lineWidth);
+}
+
+vtkSmartPointer<vtkActor> linesActor(vtkPolyData& lines, double lineWidth)
+{
+    vtkNew<vtkTrivialProducer> source;
+    source->SetOutput(&lines);
+    return lineActor(*source, lineWidth);
 }
 
 vtkSmartPointer<vtkActor> wallActor(vtkPolyData& walls)

@@ -5,6 +5,18 @@
 namespace Foam::stability
 {
 
+namespace
+{
+
+// The faces of a cell across which there may be a neighbour: in two dimensions without
+// those in the planes of the section.
+label nSides(const CellComplex& complex, label celli)
+{
+    return complex.cellFaces()[celli].size() - (complex.whole().section ? 2 : 0);
+}
+
+} // namespace
+
 scalarField smoothedOverFaces(const CellComplex& complex, const scalarField& alpha)
 {
     scalarField sums(alpha.size(), 0);
@@ -16,8 +28,7 @@ scalarField smoothedOverFaces(const CellComplex& complex, const scalarField& alp
     }
     forAll(sums, celli)
     {
-        sums[celli] =
-            alpha[celli] + 0.5 * sums[celli] / complex.cellFaces()[celli].size();
+        sums[celli] = alpha[celli] + 0.5 * sums[celli] / nSides(complex, celli);
     }
     return sums;
 }
@@ -36,7 +47,8 @@ scalar smoothedSquare(const CellComplex& complex, label celli, scalar size)
                 magSqr(complex.cellCentres()[other] - complex.cellCentres()[celli]);
         }
     }
-    const scalar neighbours = 0.5 * squares / complex.cellFaces()[celli].size() / 3;
+    const label nDimensions = complex.whole().section ? 2 : 3;
+    const scalar neighbours = 0.5 * squares / nSides(complex, celli) / nDimensions;
     return (sqr(complex.cellSizes()[celli]) / 12 + neighbours) / sqr(size);
 }
 

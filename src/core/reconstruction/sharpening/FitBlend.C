@@ -2,6 +2,8 @@
 
 #include "core/reconstruction/sharpening/FitBlend.H"
 
+#include "core/cells/ThinWalls.H"
+
 #include <algorithm>
 #include <cmath>
 
@@ -27,23 +29,23 @@ std::uint64_t keyOf(std::int64_t i, std::int64_t j, std::int64_t k)
 
 } // namespace
 
-FitBlend::FitBlend(const UList<InterfaceFit>& fits, scalar reach)
-    : fits_(fits), reach_(reach)
+FitBlend::FitBlend(const CellComplex& complex, const UList<InterfaceFit>& fits)
+    : complex_(complex), fits_(fits)
 {
     scalar smallest = GREAT;
     for (const InterfaceFit& fit : fits)
     {
-        smallest = fit.weight > 0 ? std::min(smallest, fit.size) : smallest;
+        smallest = fit.weight > 0 ? std::min(smallest, fit.reach) : smallest;
     }
     const auto levelOf = [&](const InterfaceFit& fit)
-    { return std::size_t(std::ilogb(fit.size / smallest)); };
+    { return std::size_t(std::ilogb(fit.reach / smallest)); };
     for (const InterfaceFit& fit : fits)
     {
         if (fit.weight > 0)
         {
             levels_.resize(std::max(levels_.size(), levelOf(fit) + 1));
             scalar& width = levels_[levelOf(fit)].width;
-            width = std::max(width, reach * fit.size);
+            width = std::max(width, fit.reach);
         }
     }
     forAll(fits, i)
@@ -57,7 +59,7 @@ FitBlend::FitBlend(const UList<InterfaceFit>& fits, scalar reach)
                     boxOf(x.x(), level.width), boxOf(x.y(), level.width),
                     boxOf(x.z(), level.width)
                 )]
-                .push_back({x, reach * fits[i].size, i});
+                .push_back({x, fits[i].reach, i});
         }
     }
 }
@@ -102,15 +104,24 @@ void FitBlend::near(const point& x, std::vector<label>& found) const
     std::sort(found.begin(), found.end());
 }
 
-BlendedDistance FitBlend::at(const point& x, const vector& normal) const
+// Behind a thin wall, seen from the centre of the other cell.
+bool FitBlend::hidden(label from, label celli) const
+{
+    const ThinWalls* walls = complex_.whole().thinWalls.get();
+    const pointField& centres = complex_.cellCentres();
+    return walls && walls->part(centres[from], centres[celli]);
+}
+
+BlendedDistance FitBlend::at(const point& x, const vector& normal, label celli) const
 {
     BlendedDistance result;
     scalar sum = 0, squares = 0, weights = 0;
     vector gradients(Zero);
     const auto blend = [&](const InterfaceFit& fit)
     {
-        const scalar q = mag(x - fit.centre) / (reach_ * fit.size);
-        if (q >= 1 || (fit.normal & normal) < smallestAlignment)
+        const scalar q = mag(x - fit.centre) / fit.reach;
+        if (q >= 1 || (fit.normal & normal) < smallestAlignment
+            || hidden(celli, fit.cell))
         {
             return;
         }

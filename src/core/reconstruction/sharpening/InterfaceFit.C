@@ -11,7 +11,9 @@ void InterfaceFit::setPlane(const point& c, const vector& n)
 {
     centre = c;
     normal = n;
-    const vector aside = std::abs(n.x()) < 0.6 ? vector(1, 0, 0) : vector(0, 1, 0);
+    const vector aside = across != vector(Zero)  ? across
+                         : std::abs(n.x()) < 0.6 ? vector(1, 0, 0)
+                                                 : vector(0, 1, 0);
     t1 = n ^ aside;
     t1 /= mag(t1);
     t2 = n ^ t1;

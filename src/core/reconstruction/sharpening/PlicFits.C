@@ -4,6 +4,7 @@
 
 #include "core/cells/CellStencil.H"
 #include "core/reconstruction/sharpening/PlicFits.H"
+#include "core/reconstruction/sharpening/SectionShape.H"
 
 #include <algorithm>
 #include <cmath>
@@ -66,9 +67,7 @@ private:
         {
             if (carriesInterface(stencil, celli))
             {
-                InterfaceFit fit;
-                fit.cell = celli;
-                fit.size = spanOf(complex_, celli);
+                InterfaceFit fit(fitOf(celli));
                 const vector g =
                     gradientOver(complex_, stencil.rings(celli, 1), alpha_, fit.size);
                 constexpr scalar roundOff = 1e-9; // of a gradient that is none
@@ -80,6 +79,19 @@ private:
             }
         }
         result_.nCells = result_.fits.size();
+    }
+
+    InterfaceFit fitOf(label celli) const
+    {
+        constexpr scalar inHexahedra = 2, elsewhere = 1.6; // in sizes
+        InterfaceFit fit;
+        fit.cell = celli;
+        fit.size = spanOf(complex_, celli);
+        fit.reach =
+            fit.size
+            * (complex_.cellFaces()[celli].size() == 6 ? inHexahedra : elsewhere);
+        fit.across = complex_.whole().across();
+        return fit;
     }
 
     // Adds the faces across which the fraction jumps from 1 to 0, as at every start
@@ -102,19 +114,25 @@ private:
             plane.centre = complex_.faceCentres()[facei];
             plane.secondMoment = momentOf(facei, plane);
             plane.converged = true;
-            InterfaceFit fit;
-            fit.cell = owner;
-            fit.size = spanOf(complex_, owner);
+            InterfaceFit fit(fitOf(owner));
             fit.setPlane(plane.centre, plane.normal);
-            fit.weight = plane.area / sqr(fit.size);
+            fit.weight = extentOf(plane, fit.size);
             result_.fits.append(fit);
             result_.planes.append(plane);
         }
     }
 
+    // The polygon's area in units of the size; in two dimensions its length.
+    scalar extentOf(const PlicPlane& plane, scalar size) const
+    {
+        const std::optional<PlaneSection>& section = complex_.whole().section;
+        return plane.area / (size * (section ? section->thickness : size));
+    }
+
     symmTensor momentOf(label facei, const PlicPlane& plane) const
     {
         const face& f = complex_.faces()[facei];
+        const WholeMesh& whole = complex_.whole();
         symmTensor moment(Zero);
         scalar area = 0;
         forAll(f, k)
@@ -122,7 +140,8 @@ private:
             const vector a = complex_.points()[f[k]] - plane.centre;
             const vector b = complex_.points()[f.nextLabel(k)] - plane.centre;
             const scalar part = 0.5 * mag(a ^ b);
-            moment += part / 12 * (sqr(a) + sqr(b) + sqr(a + b));
+            const vector u = whole.inPlane(a), v = whole.inPlane(b);
+            moment += part / 12 * (sqr(u) + sqr(v) + sqr(u + v));
             area += part;
         }
         return moment / std::max(area, scalar(VSMALL));
@@ -162,12 +181,12 @@ private:
             plane = PlicPlane();
             return;
         }
-        plane = CellShape(complex_, fit.cell).planeOf(normal / mag(normal), alpha);
+        plane = planeIn(complex_, fit.cell, normal / mag(normal), alpha);
         const point centre =
             plane.converged ? plane.centre : complex_.cellCentres()[fit.cell];
         fit.setPlane(centre, plane.normal);
         fit.weight = plane.converged
-                         ? sqr(4 * alpha * (1 - alpha)) * plane.area / sqr(fit.size)
+                         ? sqr(4 * alpha * (1 - alpha)) * extentOf(plane, fit.size)
                          : 0;
     }
 
@@ -224,9 +243,9 @@ private:
     }
 
     // The plane stays if neighbours do not tell.
-    static void take(const NormalEquations<6>& equations, InterfaceFit& own)
+    void take(const NormalEquations<6>& equations, InterfaceFit& own) const
     {
-        constexpr int fewest = 5;
+        const int fewest = complex_.whole().section ? 3 : 5;
         constexpr scalar linear = 1e-5, quadratic = 1e-4;
         constexpr scalar farthest = 0.3, steepest = 1;
         NormalEquations<6>::Vector x;

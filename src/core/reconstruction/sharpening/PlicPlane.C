@@ -2,6 +2,8 @@
 
 #include "core/reconstruction/sharpening/PlicPlane.H"
 
+#include "core/reconstruction/sharpening/OffsetSearch.H"
+
 #include <algorithm>
 
 namespace Foam::stability
@@ -179,35 +181,22 @@ void CellShape::measure(PlicPlane& plane, const std::vector<Segment>& outline) c
 
 PlicPlane CellShape::planeOf(const vector& normal, scalar alpha) const
 {
-    constexpr label maxIterations = 60;
-    constexpr scalar exact = 1e-12, goodEnough = 1e-9;
     scalar low = GREAT, high = -GREAT;
     for (const point& x : points_)
     {
         low = std::min(low, x & normal);
         high = std::max(high, x & normal);
     }
-    const scalar width = high - low;
-
     PlicPlane plane;
     plane.normal = normal;
     static thread_local std::vector<Segment> outline;
-    scalar offset = high - alpha * width;
-    for (; plane.nIterations < maxIterations; ++plane.nIterations)
+    const auto shareBeyond = [&](scalar offset, PlicPlane& plane)
     {
-        const scalar excess = cut(normal, offset, outline) / volume_ - alpha;
+        const scalar kept = cut(normal, offset, outline);
         measure(plane, outline);
-        plane.residual = mag(excess);
-        if (plane.residual < exact || high - low < exact * width)
-        {
-            break;
-        }
-        (excess > 0 ? low : high) = offset;
-        const scalar newton =
-            plane.area > 0 ? offset + excess * volume_ / plane.area : low;
-        offset = newton > low && newton < high ? newton : 0.5 * (low + high);
-    }
-    plane.converged = plane.residual < goodEnough && plane.area > 0;
+        return ShareBeyond{kept / volume_, plane.area / volume_};
+    };
+    searchOffset(low, high, alpha, plane, shareBeyond);
     return plane;
 }
 

@@ -50,7 +50,7 @@ PointSharpener::ask(const FitBlend* blend, const Start& start, const point& x) c
     BlendedDistance d;
     if (blend)
     {
-        d = blend->at(x, start.normal);
+        d = blend->at(x, start.normal, start.cell);
         d.known = d.known && std::abs(d.value) <= farthest * start.size;
     }
     return d;

@@ -88,6 +88,8 @@ private:
                 InterfaceFit fit;
                 fit.cell = celli;
                 fit.size = spanOf(complex_, celli);
+                fit.reach = 2 * fit.size;
+                fit.across = complex_.whole().across();
                 result_.fits.append(fit);
             }
         }
@@ -212,17 +214,20 @@ private:
     }
 
     // With curvature if it is believable, else without.
-    static bool solveLogits(
+    bool solveLogits(
         const NormalEquations<7>& equations, scalar steepness,
         NormalEquations<7>::Vector& b
-    )
+    ) const
     {
+        const bool isSection = bool(complex_.whole().section);
+        const int fewest = isSection ? 3 : 4, fewestCurved = isSection ? 4 : 7;
         constexpr scalar linear = 1e-6, quadratic = 1e-4, plane = 1e-5, flattest = 0.1;
-        if (equations.nRows() < 4)
+        if (equations.nRows() < fewest)
         {
             return false;
         }
-        return (equations.nRows() >= 7 && equations.solve<7>(3, linear, quadratic, b)
+        return (equations.nRows() >= fewestCurved
+                && equations.solve<7>(3, linear, quadratic, b)
                 && b[3] > flattest * steepness
                 && b.tail<3>().cwiseAbs().maxCoeff() <= largestCurvature * b[3])
                || (equations.solve<4>(3, plane, plane, b) && b[3] > trace);

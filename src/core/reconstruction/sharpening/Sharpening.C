@@ -2,6 +2,7 @@
 
 #include "core/reconstruction/sharpening/Sharpening.H"
 
+#include "core/surface/Ribbon.H"
 #include "core/surface/SurfaceTopology.H"
 #include "core/cells/CellStencil.H"
 #include "core/surface/InterfaceMotion.H"
@@ -19,19 +20,6 @@ namespace Foam::stability
 
 namespace
 {
-
-// How far fits have a say, in their sizes.
-constexpr scalar reachInHexahedra = 2;
-constexpr scalar reachElsewhere = 1.6;
-
-bool allHexahedra(const CellComplex& complex, const UList<InterfaceFit>& fits)
-{
-    return std::all_of(
-        fits.begin(), fits.end(),
-        [&](const InterfaceFit& fit)
-        { return complex.cellFaces()[fit.cell].size() == 6; }
-    );
-}
 
 class Sharpener
 {
@@ -74,13 +62,14 @@ private:
 
     void findStarts()
     {
-        const vectorField normals = mesh_.pointNormals();
+        const vectorField normals(pointNormals(mesh_, complex_.whole().section));
 #pragma omp parallel for schedule(static) num_threads(nThreads_)
         for (label pointi = 0; pointi < mesh_.points.size(); ++pointi)
         {
             starts_[pointi] = {
-                mesh_.points[pointi], -normals[pointi],
-                spanOf(complex_, mesh_.cells[pointi]), wallsAt(pointi)};
+                complex_.whole().inMiddle(mesh_.points[pointi]), -normals[pointi],
+                spanOf(complex_, mesh_.cells[pointi]), mesh_.cells[pointi],
+                wallsAt(pointi)};
             moves_[pointi].direction = -normals[pointi];
         }
     }
@@ -123,8 +112,7 @@ private:
         if (kind_ != Sharpening::profile)
         {
             plic_ = fitPlic(complex_, fractions_, nThreads_);
-            const bool regular = allHexahedra(complex_, plic_.fits);
-            plicBlend_.emplace(plic_.fits, regular ? reachInHexahedra : reachElsewhere);
+            plicBlend_.emplace(complex_, plic_.fits);
         }
         const PointSharpener plicAlone(plicBlend_ ? &*plicBlend_ : nullptr, nullptr);
         const label n = starts_.size();
@@ -140,7 +128,7 @@ private:
         if (kind_ != Sharpening::plic && nDoubtful > 0)
         {
             profile_ = fitProfiles(complex_, fractions_, nThreads_, ringsOfFits());
-            profileBlend_.emplace(profile_.fits, reachInHexahedra);
+            profileBlend_.emplace(complex_, profile_.fits);
         }
         result_.nFits = plic_.fits.size() + profile_.fits.size();
         result_.nFailed = plic_.nFailed + profile_.nFailed;
@@ -260,6 +248,18 @@ private:
             }
         }
         std::copy(moved.begin(), moved.end(), moves_.begin());
+        moveAlike();
+    }
+
+    // In two dimensions: both points of a pair.
+    void moveAlike()
+    {
+        const std::optional<PlaneSection>& section = complex_.whole().section;
+        const labelList pairs(section ? pairsAcross(mesh_, *section) : labelList());
+        forAll(pairs, pointi)
+        {
+            moves_[std::max(pointi, pairs[pointi])].total = moves_[pointi].total;
+        }
     }
 
     // Halves the moves around a triangle that they flip, then drops them.

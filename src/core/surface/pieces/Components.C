@@ -2,7 +2,7 @@
 
 #include "core/surface/pieces/Components.H"
 
-#include "core/surface/SurfaceTopology.H"
+#include "core/surface/Ribbon.H"
 #include "core/surface/pieces/Redistribution.H"
 
 #include <algorithm>
@@ -12,7 +12,8 @@ namespace Foam::stability
 {
 
 Components::Components(
-    const SurfaceHalo& halo, const point& referencePoint, const Exchange& exchange
+    const SurfaceHalo& halo, const point& referencePoint, const Exchange& exchange,
+    const std::optional<PlaneSection>& section
 )
 {
     const InterfaceMesh& mesh = halo.mesh();
@@ -25,7 +26,8 @@ Components::Components(
     }
     const List<OnRank> known(halo.triangleValues(owned));
 
-    const auto parts = exchange.listsToMaster(measure(halo, topology, referencePoint));
+    const auto parts =
+        exchange.listsToMaster(measure(halo, topology, referencePoint, section));
     const auto touching = exchange.listsToMaster(contacts(halo, topology, known));
     std::vector<DynamicList<Verdict>> verdicts(exchange.nRanks());
     runOnAllRanks(
@@ -72,8 +74,15 @@ namespace
 
 // A component that goes through a cyclic patch counts as open, since its volume is not
 // known here.
-bool closedAt(const SurfaceEdge& edge, const SurfaceHalo& halo)
+bool closedAt(
+    const SurfaceEdge& edge, const SurfaceHalo& halo,
+    const std::optional<PlaneSection>& section
+)
 {
+    if (isRimOfRibbon(edge, halo.mesh().points, section))
+    {
+        return true;
+    }
     return edge.nTriangles == 2 && halo.piece().keys[edge.triangles[0]].image == 0
            && halo.piece().keys[edge.triangles[1]].image == 0;
 }
@@ -117,7 +126,7 @@ void Components::numberParts(const SurfaceHalo& halo, const SurfaceTopology& top
 
 List<Components::Part> Components::measure(
     const SurfaceHalo& halo, const SurfaceTopology& topology,
-    const point& referencePoint
+    const point& referencePoint, const std::optional<PlaneSection>& section
 ) const
 {
     const InterfaceMesh& mesh = halo.mesh();
@@ -139,14 +148,12 @@ List<Components::Part> Components::measure(
             part.lowest = halo.piece().keys[trianglei];
         }
         const triFace& t = mesh.triangles[trianglei];
-        part.volume += ((mesh.points[t[0]] - referencePoint)
-                        & ((mesh.points[t[1]] - referencePoint)
-                           ^ (mesh.points[t[2]] - referencePoint)))
-                       / 6;
+        part.volume += coneTo(mesh, trianglei, referencePoint, section).measure;
         for (label k = 0; k < 3; ++k)
         {
             const label edgei = topology.triangleEdges()[trianglei][k];
-            part.closed = part.closed && closedAt(topology.edges()[edgei], halo);
+            part.closed =
+                part.closed && closedAt(topology.edges()[edgei], halo, section);
             if (isPrimary[t[k]] && !pointMet[t[k]])
             {
                 pointMet[t[k]] = true;

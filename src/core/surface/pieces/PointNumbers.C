@@ -11,22 +11,17 @@ namespace Foam::stability
 namespace
 {
 
-struct HashOfSeed
+struct HashOfKey
 {
-    std::size_t operator()(const point& x) const
+    std::size_t operator()(const PointKey& key) const
     {
-        const std::hash<scalar> hash; // the same for 0 and -0
-        std::size_t sum = hash(x.x());
-        for (const scalar coordinate : {x.y(), x.z()})
-        {
-            sum = 31 * sum + hash(coordinate);
-        }
-        return sum ^ (sum >> 32);
+        return std::hash<label>()(key.number) + 31 * std::size_t(key.image);
     }
 };
 
-// The sum of nHere over the ranks before this one.
-label before(label nHere, const Exchange& exchange)
+} // namespace
+
+label sumBefore(label nHere, const Exchange& exchange)
 {
     Packet mine;
     mine.put(nHere);
@@ -39,37 +34,33 @@ label before(label nHere, const Exchange& exchange)
     return sum;
 }
 
-} // namespace
-
-// The hash of a start position determines the rank that numbers it.
+// The hash of a key determines the rank that numbers it.
 labelList pointNumbers(const SurfaceOrder& piece, const Exchange& exchange)
 {
-    const label n = piece.startPositions.size(), nRanks = exchange.nRanks();
+    const label n = piece.pointKeys.size(), nRanks = exchange.nRanks();
     if (nRanks == 1 || !piece.sharesPoints)
     {
-        return identity(n, before(n, exchange));
+        return identity(n, sumBefore(n, exchange));
     }
-    std::vector<DynamicList<point>> asked(nRanks);
+    std::vector<DynamicList<PointKey>> asked(nRanks);
     labelList asksFrom(n);
-    forAll(piece.startPositions, i)
+    forAll(piece.pointKeys, i)
     {
-        asksFrom[i] =
-            label(HashOfSeed()(piece.startPositions[i]) % std::size_t(nRanks));
-        asked[asksFrom[i]].append(piece.startPositions[i]);
+        asksFrom[i] = label(HashOfKey()(piece.pointKeys[i]) % std::size_t(nRanks));
+        asked[asksFrom[i]].append(piece.pointKeys[i]);
     }
-    std::unordered_map<point, label, HashOfSeed> known;
+    std::unordered_map<PointKey, label, HashOfKey> known;
     std::vector<DynamicList<label>> numbers(nRanks);
-    const std::vector<List<point>> toNumber(exchange.exchangeLists(asked));
+    const std::vector<List<PointKey>> toNumber(exchange.exchangeLists(asked));
     for (label ranki = 0; ranki < nRanks; ++ranki)
     {
-        for (const point& startPosition : toNumber[ranki])
+        for (const PointKey& key : toNumber[ranki])
         {
-            numbers[ranki].append(
-                known.insert({startPosition, label(known.size())}).first->second
+            numbers[ranki].append(known.insert({key, label(known.size())}).first->second
             );
         }
     }
-    const label start = before(label(known.size()), exchange);
+    const label start = sumBefore(label(known.size()), exchange);
     for (DynamicList<label>& ofRank : numbers)
     {
         for (label& number : ofRank)

@@ -150,6 +150,7 @@ private:
         SurfacePiece& piece = parts_[point.part];
         const SurfacePiece& from = parts_[first.part];
         piece.startPositions[point.pointi] = from.startPositions[first.pointi];
+        piece.pointKeys[point.pointi] = from.pointKeys[first.pointi];
         piece.mesh.points[point.pointi] = from.mesh.points[first.pointi];
         piece.mesh.cells[point.pointi] = from.mesh.cells[first.pointi];
         piece.mesh.cellSizes[point.pointi] = from.mesh.cellSizes[first.pointi];
@@ -215,6 +216,10 @@ SurfacePiece imageOf(SurfacePiece piece, label image, const PeriodicImages& imag
         cell = cell < 0 ? cell : images.movedCell(cell, image);
     }
     for (TriangleKey& key : piece.keys)
+    {
+        key.image = images.product(image, key.image);
+    }
+    for (PointKey& key : piece.pointKeys)
     {
         key.image = images.product(image, key.image);
     }

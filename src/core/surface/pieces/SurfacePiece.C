@@ -20,19 +20,17 @@ bool TriangleKey::operator<(const TriangleKey& k) const
 namespace
 {
 
-// The first point with the same start position, for each point.
-labelList weld(const UList<point>& startPositions)
+// The first point with the same key, for each point.
+labelList weld(const UList<PointKey>& keys)
 {
-    labelList welded(identity(startPositions.size()));
+    labelList welded(identity(keys.size()));
     labelList order(welded);
     std::stable_sort(
-        order.begin(), order.end(),
-        [&](label a, label b)
-        { return beforeByPosition(startPositions[a], startPositions[b]); }
+        order.begin(), order.end(), [&](label a, label b) { return keys[a] < keys[b]; }
     );
     for (label i = 1; i < order.size(); ++i)
     {
-        if (startPositions[order[i]] == startPositions[order[i - 1]])
+        if (keys[order[i]] == keys[order[i - 1]])
         {
             welded[order[i]] = welded[order[i - 1]];
         }
@@ -51,6 +49,11 @@ SurfacePiece wholeSurface(const InterfaceMesh& mesh)
     forAll(piece.keys, i)
     {
         piece.keys[i].place = i;
+    }
+    piece.pointKeys.setSize(mesh.points.size());
+    forAll(piece.pointKeys, i)
+    {
+        piece.pointKeys[i].number = i;
     }
     return piece;
 }
@@ -125,7 +128,7 @@ JoinedSurface join(const std::vector<SurfacePiece>& parts)
     SurfacePiece& piece = result.piece;
     piece.sharesPoints = all.sharesPoints;
     const labelList welded(
-        piece.sharesPoints && parts.size() > 1 ? weld(all.startPositions)
+        piece.sharesPoints && parts.size() > 1 ? weld(all.pointKeys)
                                                : identity(all.mesh.points.size())
     );
     labelList& order = result.triangleSources;
@@ -170,6 +173,8 @@ JoinedSurface ownParts(
     all.sharesPoints = piece.sharesPoints;
     all.mesh = mesh;
     all.startPositions = mesh.points;
+    all.pointKeys = piece.pointKeys;
+    all.pointKeys.setSize(mesh.points.size(), PointKey());
     all.keys.setSize(parents.size());
     forAll(kept, i)
     {

@@ -70,9 +70,10 @@ scalar totalWeight(const InstabilityParticles& particles)
 
 const SerialExchange alone;
 
-void detach(
+void shed(
     InstabilityParticles& particles, const InterfaceMesh& mesh,
-    const List<bool>& detached, label component, const CellComplex& complex, scalar time
+    const List<Stability>& classes, label component, const CellComplex& complex,
+    scalar time
 )
 {
     const SurfaceHalo halo(wholeSurface(mesh), VoxelMask(1), alone);
@@ -80,15 +81,30 @@ void detach(
     ClassifiedSurface surface;
     surface.mesh = halo.mesh();
     surface.stability.setSize(n);
-    forAll(detached, pointi)
+    forAll(classes, pointi)
     {
-        surface.stability[halo.placeOf(pointi)] =
-            detached[pointi] ? Stability::detached : Stability::stable;
+        surface.stability[halo.placeOf(pointi)] = classes[pointi];
     }
     surface.components = labelList(n, component);
     surface.areas = halo.mesh().pointAreas();
     surface.isPrimary = halo.primaryPoints();
     particles.seed(surface, halo, complex, time, alone);
+}
+
+void detach(
+    InstabilityParticles& particles, const InterfaceMesh& mesh,
+    const List<bool>& detached, label component, const CellComplex& complex, scalar time
+)
+{
+    List<Stability> classes(detached.size(), Stability::stable);
+    forAll(detached, pointi)
+    {
+        if (detached[pointi])
+        {
+            classes[pointi] = Stability::detached;
+        }
+    }
+    shed(particles, mesh, classes, component, complex, time);
 }
 
 } // namespace
@@ -135,6 +151,23 @@ TEST(InstabilityParticles, rememberWhereTheyCameFrom)
     forAll(particles.here(), i)
     {
         EXPECT_EQ(particles.here()[i].path.id, i);
+    }
+}
+
+TEST(InstabilityParticles, areNotShedAtUntrackedPoints)
+{
+    const auto complex = shapes::unitCube(5);
+    const InterfaceMesh mesh(sheet(*complex, 6));
+    List<Stability> classes(36, Stability::stable);
+    classes[14] = Stability::detached;
+    classes[15] = Stability::untracked;
+    InstabilityParticles particles(1000);
+    shed(particles, mesh, classes, 3, *complex, 0.25);
+    // The detached point and the four of its triangles without the untracked one.
+    EXPECT_EQ(particles.here().size(), 1 + 4);
+    for (const InstabilityParticle& particle : particles.here())
+    {
+        EXPECT_NE(particle.path.x, mesh.points[15]);
     }
 }
 

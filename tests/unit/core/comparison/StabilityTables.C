@@ -35,6 +35,12 @@ TEST(StabilityTables, namesTellTheirValues)
     s.area = 16;
     s.stableArea = 4;
     s.attachedArea = 5;
+    s.attachedNearWall = 21;
+    s.attachedThin = 22;
+    s.attachedResolved = 23;
+    s.timeSurfaceArea = 32;
+    s.keptArea = 20;
+    s.enteredArea = 8;
     s.detachedNearWall = 6;
     s.detachedElsewhere = 7;
     s.detachedThin = 8;
@@ -60,7 +66,7 @@ TEST(StabilityTables, namesTellTheirValues)
         {"detachedNearWalls", 6},
         {"detachedElsewhere", 7},
         {"leftArea", 10},
-        {"stableFraction", 0.25},
+        {"stableFraction", 0.5},
         {"coverage", 0.75},
         {"particles", 13},
         {"mergedTriangles", 14},
@@ -75,6 +81,11 @@ TEST(StabilityTables, namesTellTheirValues)
         {"noiseFloor", 0.375},
         {"detachedThin", 8},
         {"detachedResolved", 9},
+        {"attachedNearWalls", 21},
+        {"attachedThin", 22},
+        {"attachedResolved", 23},
+        {"enteredArea", 8},
+        {"keptFraction", 0.625},
     };
     EXPECT_EQ(valuesOf(stabilityTable(), s), expected);
 }

@@ -65,8 +65,9 @@ TEST(Statistics, areasAreWeightedByThirds)
     EXPECT_NEAR(statistics.stableFraction(), 2.0 / 3, 1e-14);
     EXPECT_NEAR(statistics.detachedNearWall, 4.0 / 3, 1e-14);
     EXPECT_NEAR(statistics.detachedElsewhere, 1.0 / 3, 1e-14);
-    EXPECT_NEAR(statistics.leftArea, 4.0 / 3, 1e-14);
+    EXPECT_NEAR(statistics.detachedArea(), 5.0 / 3, 1e-14);
     EXPECT_NEAR(statistics.timeSurfaceArea, 8.0 / 3, 1e-14);
+    EXPECT_NEAR(statistics.keptFraction(), 3.0 / 8, 1e-14);
     // epsilon = h/2, weighted by area
     const scalar exact = 0.5 * (0.1 / 3 + 0.2 * 4 / 3 + 0.4 * 4 / 3 + 0.8) / 4;
     EXPECT_NEAR(statistics.epsilon, exact, 1e-14);
@@ -116,6 +117,20 @@ TEST(Statistics, whatDetachesIsByWallsThinOrResolved)
     EXPECT_NEAR(statistics.detachedThin, 7.0 / 3, 1e-14);
     EXPECT_NEAR(statistics.detachedResolved, 4.0 / 3, 1e-14);
     EXPECT_NEAR(statistics.detachedElsewhere, 11.0 / 3, 1e-14);
+}
+
+TEST(Statistics, whatAttachesIsByWallsThinOrResolved)
+{
+    ClassifiedSurface interface(strip());
+    interface.stability = Stability::attached;
+    interface.nearWall[0] = true;
+    interface.thin[0] = interface.thin[1] = true;
+    interface.subGrid[0] = interface.subGrid[3] = true;
+    Statistics statistics;
+    addSurfaceStatistics(statistics, interface, strip(), Epsilon(), alone);
+    EXPECT_NEAR(statistics.attachedNearWall, 1.0 / 3, 1e-14);
+    EXPECT_NEAR(statistics.attachedThin, 7.0 / 3, 1e-14);
+    EXPECT_NEAR(statistics.attachedResolved, 4.0 / 3, 1e-14);
 }
 
 // Distances in cells: 0.03, 0.15, 0.975, and 3 up to round-off.
@@ -186,16 +201,36 @@ TEST(Statistics, coverageCountsTrianglesWithParameters)
     EXPECT_NEAR(statistics.coverage(), 0.75, 1e-14);
 }
 
-TEST(Statistics, withoutAnInterfaceNothingIsUnstable)
+TEST(Statistics, nothingIsAWholeShareOfNothing)
 {
     Statistics statistics;
     addSurfaceStatistics(statistics, nothing(), nothing(), Epsilon(), alone);
-    EXPECT_EQ(statistics.stableFraction(), 1);
-    EXPECT_EQ(statistics.coverage(), 1);
+    EXPECT_EQ(statistics.stableFraction(), 0);
+    EXPECT_EQ(statistics.keptFraction(), 0);
+    EXPECT_EQ(statistics.coverage(), 0);
     EXPECT_EQ(statistics.epsilon, 0);
     EXPECT_EQ(statistics.detachedFraction[0], 0);
     EXPECT_EQ(statistics.driftSpeeds[2], 0);
     EXPECT_EQ(statistics.smallestVisibleDrift(), 0);
+}
+
+// Nothing is kept of what detached or left without a successor; where there was
+// nothing, nothing was lost.
+TEST(Statistics, whatTearsOrDrainsAwayIsNotKept)
+{
+    ClassifiedSurface gone(strip());
+    gone.stability = Stability::detached;
+    Statistics statistics;
+    addSurfaceStatistics(statistics, nothing(), gone, Epsilon(), alone);
+    EXPECT_EQ(statistics.keptFraction(), 0);
+    gone.stability = Stability::left;
+    addSurfaceStatistics(statistics = Statistics(), nothing(), gone, Epsilon(), alone);
+    EXPECT_EQ(statistics.keptFraction(), 0);
+    addSurfaceStatistics(
+        statistics = Statistics(), strip(), nothing(), Epsilon(), alone
+    );
+    EXPECT_EQ(statistics.keptFraction(), 1);
+    EXPECT_EQ(statistics.stableFraction(), 1);
 }
 
 TEST(Statistics, displacementIsRmsInCellsByArea)
@@ -205,7 +240,25 @@ TEST(Statistics, displacementIsRmsInCellsByArea)
     startPositions[3] += vector(0, 0, 1.6); // two cells
     startPositions[0] -= vector(0.3, 0, 0); // three cells
     Statistics statistics;
-    addDisplacement(statistics, surface, startPositions, alone);
+    addMotion(statistics, surface, startPositions, alone);
     EXPECT_NEAR(statistics.displacement, std::sqrt((1 * 4 + 9 / 3.0) / 4), 1e-14);
     EXPECT_NEAR(statistics.largestDisplacement, 3, 1e-14);
+}
+
+// Point 3 was at x = 4 and went 1.5 beyond x = 3, where point 1 stays 0.5 before it:
+// three quarters of that edge left; point 2, 3 before it, keeps two thirds of its edge.
+TEST(Statistics, whatLeftHasTheAreaThatItHadBefore)
+{
+    ClassifiedSurface surface(strip());
+    surface.stability[3] = Stability::left;
+    Crossings& left = surface.crossings = Crossings(4);
+    left.crossed[3] = true;
+    left.ends =
+        List<point>{point(-1, 5, 0), point(2.5, 0, 7), point(0, 1, 9), point(3, 2, 0)};
+    left.beyond[3] = vector(1.5, 0, 0);
+    pointField startPositions(surface.mesh.points);
+    startPositions[3].x() = 4; // the triangle had 2 m2
+    Statistics statistics;
+    addMotion(statistics, surface, startPositions, alone);
+    EXPECT_NEAR(statistics.leftArea, 2 * (3.0 / 4) * (1.0 / 3), 1e-14);
 }

@@ -53,6 +53,13 @@ ClassifiedSurface hills(unsigned seed)
         surface.thin[i] = often();
         surface.subGrid[i] = often();
     }
+    surface.crossings = Crossings(n);
+    surface.crossings.ends = mesh.points;
+    for (label i = 0; i < n; ++i)
+    {
+        surface.crossings.crossed[i] = surface.stability[i] == Stability::left;
+        surface.crossings.beyond[i] = vector(unit(random), unit(random), 0.1);
+    }
     surface.areas = mesh.pointAreas();
     surface.isPrimary = List<bool>(n, true);
     return surface;
@@ -157,7 +164,7 @@ std::vector<std::vector<scalar>> valuesOn(label n)
             addSurfaceStatistics(
                 statistics, m.surface, t.surface, Epsilon{0.3, true}, exchange
             );
-            addDisplacement(statistics, t.surface, t.startPositions, exchange);
+            addMotion(statistics, t.surface, t.startPositions, exchange);
             values[rank] = allValues(statistics);
         }
     );
@@ -173,7 +180,7 @@ TEST(StatisticsOverRanks, areThoseOfTheWhole)
     addSurfaceStatistics(
         whole, interface, timeSurface, Epsilon{0.3, true}, SerialExchange()
     );
-    addDisplacement(whole, timeSurface, seedsOf(timeSurface), SerialExchange());
+    addMotion(whole, timeSurface, seedsOf(timeSurface), SerialExchange());
     const std::vector<scalar> truth(allValues(whole));
     const scalar area = interface.mesh.area();
     EXPECT_NEAR(whole.area, area, 1e-13 * area);

@@ -275,3 +275,48 @@ TEST(PathlineBoundaries, FlowsAroundAnObstacle)
     }
     EXPECT_GT(nPassed, 200);
 }
+
+// Edges of obstacles are convex: a particle that slides up a face passes the edge.
+TEST(PathlineBoundaries, NothingStaysAtAConvexEdge)
+{
+    const auto inObstacle = [](const point& x)
+    { return mag(x.x() - 1) < 0.25 && mag(x.y() - 0.5) < 0.25 && x.z() < 0.5; };
+    const auto complex = std::make_shared<const CellComplex>(shapes::cutOut(
+        shapes::boxInput(shapes::channel(8, BoundaryKind::wall)), inObstacle
+    ));
+    auto first = std::make_shared<FlowSnapshot>(
+        *shapes::sampled(complex, shapes::uniformFlow(vector(1, 0.07, 0.3)), 0)
+    );
+    forAll(first->boundaryU, i)
+    {
+        if (complex->kinds()[i] == BoundaryKind::wall)
+        {
+            first->boundaryU[i] = vector::zero;
+        }
+    }
+    auto second = std::make_shared<FlowSnapshot>(*first);
+    second->time = 5;
+    List<point> start;
+    for (label j = 0; j < 11; ++j)
+    {
+        for (label k = 1; k < 11; ++k)
+        {
+            start.append(point(0.6, 0.25 + 0.05 * j, 0.05 * k));
+        }
+    }
+    List<Pathline> lines = shapes::linesAt(start);
+    const IntegrationCounts counts = advance(
+        lines,
+        VelocityInterval(
+            std::make_shared<PointVelocity>(first, WallVelocity::slip),
+            std::make_shared<PointVelocity>(second, WallVelocity::slip)
+        ),
+        IntegrationOptions()
+    );
+    EXPECT_EQ(counts.nLeft, lines.size());
+    for (const Pathline& line : lines)
+    {
+        EXPECT_EQ(line.state, PathlineState::left)
+            << line.x.x() << " " << line.x.y() << " " << line.x.z();
+    }
+}

@@ -4,6 +4,7 @@
 
 #include "shapes/AnalyticFlows.H"
 #include "shapes/BoxMesh.H"
+#include "shapes/CutOut.H"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -68,6 +69,17 @@ void expectNear(const vector& value, const vector& wanted, scalar tolerance)
     {
         EXPECT_NEAR(value[d], wanted[d], tolerance) << "component " << int(d);
     }
+}
+
+// The mesh with this velocity in its cells, and walls at rest.
+std::shared_ptr<FlowSnapshot> besideWalls(CellComplexInput mesh, const vector& U)
+{
+    const auto complex = std::make_shared<const CellComplex>(std::move(mesh));
+    auto snapshot = std::make_shared<FlowSnapshot>(
+        *shapes::sampled(complex, shapes::uniformFlow(U), 0)
+    );
+    snapshot->boundaryU = vector::zero;
+    return snapshot;
 }
 
 } // namespace
@@ -222,6 +234,65 @@ TEST(PointVelocity, BentWallIsNoEdge)
     EXPECT_NEAR(U.x(), -1.87, 0.03);
     EXPECT_NEAR(U.y(), 0, 1e-12);
     EXPECT_NEAR(U.z(), 0, 1e-12);
+}
+
+TEST(PointVelocity, AtAConvexEdgeOnlyWhatPointsIntoTheObstacleIsTaken)
+{
+    const auto inObstacle = [](const point& x)
+    { return mag(x.x() - 0.5) < 0.25 && mag(x.y() - 0.5) < 0.25 && x.z() < 0.5; };
+    const struct
+    {
+        point x;
+        vector U, wanted;
+    } cases[] = {
+        // The top edge at the front: past it, off it, on into one face, along it.
+        {{0.25, 0.5, 0.5}, {1, 0.07, 0.11}, {1, 0.07, 0.11}},
+        {{0.25, 0.5, 0.5}, {-1, 0.07, -0.11}, {-1, 0.07, -0.11}},
+        {{0.25, 0.5, 0.5}, {1, 0.07, -0.11}, {1, 0.07, 0}},
+        {{0.25, 0.5, 0.5}, {0.1, 0.07, -1}, {0, 0.07, -1}},
+        // A corner of the top, where it keeps out of all three faces.
+        {{0.25, 0.25, 0.5}, {1, 0.07, -0.11}, {1, 0, -0.11}},
+        {{0.25, 0.25, 0.5}, {1, -0.07, -0.11}, {1, -0.07, -0.11}},
+        // The foot of an edge, on the floor.
+        {{0.25, 0.25, 0}, {1, -0.2, -0.11}, {1, -0.2, 0}},
+        {{0.25, 0.25, 0}, {1, 0.2, 0.11}, {1, 0, 0}},
+        // The foot of a face is concave.
+        {{0.25, 0.5, 0}, {-1, 0.07, 0.11}, {0, 0.07, 0}}};
+    for (const auto& at : cases)
+    {
+        const auto snapshot = besideWalls(
+            shapes::cutOut(shapes::boxInput(shapes::BoxOptions()), inObstacle), at.U
+        );
+        const label pointi = pointAt(*snapshot->complex, at.x);
+        ASSERT_LT(mag(snapshot->complex->points()[pointi] - at.x), 1e-12);
+        SCOPED_TRACE(
+            testing::Message() << "at " << at.x.x() << " " << at.x.y() << " "
+                               << at.x.z() << " with U " << at.U.x()
+        );
+        expectNear(
+            PointVelocity(snapshot, WallVelocity::slip).atPoint(pointi), at.wanted,
+            1e-12
+        );
+    }
+}
+
+TEST(PointVelocity, TheFlowGoesAroundTheRimOfAThinWall)
+{
+    const auto none = [](const point&) { return false; };
+    const auto baffle = [](const point& x)
+    { return mag(x.x() - 0.5) < 1e-6 && x.z() < 0.5; };
+    const vector U(1, 0.07, -0.11);
+    const auto snapshot = besideWalls(
+        shapes::cutOut(shapes::boxInput(shapes::BoxOptions()), none, baffle), U
+    );
+    const PointVelocity velocity(snapshot, WallVelocity::slip);
+    const CellComplex& complex = *snapshot->complex;
+    expectNear(velocity.atPoint(pointAt(complex, point(0.5, 0.5, 0.5))), U, 1e-12);
+    // Where the rim meets the side of the box, that side is kept to.
+    expectNear(
+        velocity.atPoint(pointAt(complex, point(0.5, 0, 0.5))), vector(U.x(), 0, U.z()),
+        1e-12
+    );
 }
 
 TEST(PointVelocity, SameBitsOnAnyNumberOfThreads)

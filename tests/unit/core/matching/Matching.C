@@ -50,7 +50,7 @@ Match matchAt(
     scalar cellSize, const vector& normal = vector(0, 0, 1)
 )
 {
-    return MatchTarget(mesh, options).match(x, normal, cellSize);
+    return MatchTarget(mesh, options).match({x, normal, cellSize});
 }
 
 } // namespace
@@ -217,4 +217,48 @@ TEST(Matching, doesNotDependOnThreads)
         EXPECT_EQ(one[i].nearest.weights, four[i].nearest.weights);
         EXPECT_EQ(one[i].nPreimages, four[i].nPreimages);
     }
+}
+
+// Polygons side by side, as plic has them, make one sheet, and those of two sheets two.
+TEST(Matching, polygonsSideBySideAreOneSheet)
+{
+    const scalar h = 0.4;
+    const auto loose = [&](scalar z)
+    {
+        const InterfaceMesh whole(sheet(z, h));
+        InterfaceMesh mesh;
+        forAll(whole.triangles, trianglei)
+        {
+            const scalar step = 0.05 * h * (trianglei % 3);
+            triFace corners;
+            for (label k = 0; k < 3; ++k)
+            {
+                corners[k] = mesh.points.size();
+                mesh.points.append(
+                    whole.points[whole.triangles[trianglei][k]] + vector(0, 0, step)
+                );
+            }
+            mesh.triangles.append(corners);
+        }
+        complete(mesh, h);
+        return mesh;
+    };
+    MatchingOptions options;
+    options.epsilon.value = 1.2;
+    const InterfaceMesh points(sheet(0.02, h));
+    const auto sheets = [&](const InterfaceMesh& target)
+    {
+        label most = 0, least = 9;
+        for (const Match& match :
+             matchPoints(points, MatchTarget(target, options), options))
+        {
+            most = max(most, match.nPreimages);
+            least = min(least, match.nPreimages);
+        }
+        return labelPair(least, most);
+    };
+    EXPECT_EQ(sheets(loose(0)), labelPair(1, 1));
+    EXPECT_EQ(sheets(both(loose(0), loose(0.6 * h))), labelPair(2, 2));
+    EXPECT_EQ(sheets(both(loose(0), turnedOver(loose(0.6 * h)))), labelPair(1, 1));
+    EXPECT_EQ(sheets(both(sheet(0, h), sheet(0.6 * h, h))), labelPair(2, 2));
 }

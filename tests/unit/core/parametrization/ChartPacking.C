@@ -83,8 +83,7 @@ void expectLegal(
 )
 {
     const scalar slack = 1e-12;
-    const Box swatch{
-        vector2D(1 - BlackSwatch::size, 0), vector2D(1, BlackSwatch::size)};
+    const Box swatch{vector2D(1 - Swatches::size, 0), vector2D(1, Swatches::size)};
     ASSERT_EQ(packing.charts.size(), charts.size());
     std::vector<Box> boxes;
     forAll(charts, i)

@@ -98,7 +98,7 @@ void expectInjective(const ParametrizationResult& result)
     {
         EXPECT_GE(min(p.x(), p.y()), 0);
         EXPECT_LE(max(p.x(), p.y()), 1);
-        EXPECT_FALSE(p.x() > 1 - BlackSwatch::size && p.y() < BlackSwatch::size);
+        EXPECT_FALSE(p.x() > 1 - Swatches::size && p.y() < Swatches::size);
     }
     EXPECT_EQ(countFlips(surface.parameters, parameterTriangles(surface)), 0);
     EXPECT_EQ(countOverlaps(surface), 0);

@@ -58,8 +58,7 @@ Colour pixel(int i, int j)
 
 bool swatch(int i, int j)
 {
-    return (i + 0.5) / size > 1 - BlackSwatch::size
-           && (j + 0.5) / size < BlackSwatch::size;
+    return (i + 0.5) / size > 1 - Swatches::size && (j + 0.5) / size < Swatches::size;
 }
 
 // Distance of a pixel from the nearest grid line, in cells of the grid.
@@ -177,15 +176,19 @@ TEST(ParameterTexture, LinesStayVisibleAtSmallSizes)
     }
 }
 
-TEST(ParameterTexture, SwatchIsBlackAndNothingElse)
+TEST(ParameterTexture, SwatchesAreBlackAndBrownAndNothingElse)
 {
-    const vector2D middle = BlackSwatch::middle();
-    EXPECT_TRUE(swatch(int(middle.x() * size), int(middle.y() * size)));
+    const auto at = [](const vector2D& p)
+    { return pixel(int(p.x() * size), int(p.y() * size)); };
+    EXPECT_EQ(at(Swatches::attached()), attachedColour);
+    EXPECT_EQ(at(Swatches::entered()), enteredColour);
     for (int j = 0; j < size; ++j)
     {
         for (int i = 0; i < size; ++i)
         {
-            ASSERT_EQ(pixel(i, j) == (Colour{0, 0, 0}), swatch(i, j)) << i << ' ' << j;
+            const Colour c = pixel(i, j);
+            ASSERT_EQ(c == attachedColour || c == enteredColour, swatch(i, j))
+                << i << ' ' << j;
         }
     }
 }

@@ -70,6 +70,7 @@ Classification seamed()
     surface.confidence[1] = 8;
     surface.thin = List<bool>(6, false);
     surface.subGrid = List<bool>(6, false);
+    surface.fromOutside = List<bool>(6, false);
     surface.thin[3] = surface.subGrid[0] = true;
     surface.preimages = labelList(6, 1);
     surface.nearWall = List<bool>(6, false);
@@ -121,7 +122,7 @@ TEST(ResultSurfaces, everyCornerKeepsItsOwnParameter)
             const vector2D p = corner < 0 ? vector2D(-1, -1) : mesh.parameters[corner];
             EXPECT_EQ(parameter[2 * i], p.x());
             EXPECT_EQ(parameter[2 * i + 1], p.y());
-            const vector2D shown = trianglei == 3 ? BlackSwatch::middle() : p;
+            const vector2D shown = trianglei == 3 ? Swatches::attached() : p;
             EXPECT_EQ(texture[2 * i], shown.x());
             EXPECT_EQ(texture[2 * i + 1], shown.y());
         }

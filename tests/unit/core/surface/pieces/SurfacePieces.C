@@ -259,7 +259,7 @@ TEST(SurfacePieces, pointsOfSurfacesThatShareNoneAllHaveNumbersOfTheirOwn)
         {
             SurfaceOrder order;
             order.sharesPoints = false;
-            order.startPositions = pointField(4 - exchange.rank(), point(1, 2, 3));
+            order.pointKeys = List<PointKey>(4 - exchange.rank(), PointKey{5, 0});
             const labelList numbers(pointNumbers(order, exchange));
             const std::lock_guard<std::mutex> lock(turn);
             found.insert(numbers.begin(), numbers.end());

@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "foam/ranks/CellLayer.H"
+
+#include "core/base/Errors.H"
+#include "core/ranks/ExactSum.H"
+#include "emptyPolyPatch.H"
+#include "symmetryPlanePolyPatch.H"
+#include "symmetryPolyPatch.H"
+#include "wedgePolyPatch.H"
+
+#include <cmath>
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+constexpr scalar planar = 1e-6;  // shares of lengths: symmetry planes are as flat
+constexpr scalar aligned = 1e-4; // shares of lengths: the coordinates have round-off
+
+using IsEnd = bool (*)(const polyPatch&);
+
+bool isEmpty(const polyPatch& patch)
+{
+    return isA<emptyPolyPatch>(patch);
+}
+bool isWedge(const polyPatch& patch)
+{
+    return isA<wedgePolyPatch>(patch);
+}
+
+// The axis to which the area vector is nearest.
+direction across(const vector& area)
+{
+    const vector a(cmptMag(area));
+    return a.x() >= a.y() && a.x() >= a.z() ? 0 : a.y() >= a.z() ? 1 : 2;
+}
+
+class LayerSearch
+{
+public:
+    LayerSearch(const polyMesh& mesh, const Exchange& exchange)
+        : mesh_(mesh), exchange_(exchange)
+    {
+    }
+
+    std::optional<CellLayer> run() const
+    {
+        const label nEmpty = nFaces(isEmpty), nWedge = nFaces(isWedge);
+        if (nEmpty > 0 && nWedge > 0)
+        {
+            throw BadInput(
+                "The patches " + names(isEmpty) + " (empty) and " + names(isWedge)
+                + " (wedge) both have faces, which leaves one dimension; allowed is "
+                  "one "
+                  "layer of cells between empty planes or between wedge planes."
+            );
+        }
+        return nEmpty > 0   ? declared(isEmpty, "empty")
+               : nWedge > 0 ? declared(isWedge, "wedge")
+                            : betweenSymmetries();
+    }
+
+private:
+    struct Ends
+    {
+        LayerEnds faces;
+        label nWrong = 0; // cells of all ranks that do not end in one face on each side
+    };
+
+    template<class Visit>
+    void forEachEnd(IsEnd isEnd, const Visit& visit) const
+    {
+        for (const polyPatch& patch : mesh_.boundaryMesh())
+        {
+            for (label i = 0; isEnd(patch) && i < patch.size(); ++i)
+            {
+                visit(patch.start() + i);
+            }
+        }
+    }
+
+    label nFaces(IsEnd isEnd) const
+    {
+        label n = 0;
+        forEachEnd(isEnd, [&](label) { ++n; });
+        return exchange_.total(n);
+    }
+
+    // The patches of this type that have faces on any rank.
+    std::string names(IsEnd isEnd) const
+    {
+        std::string list;
+        for (const polyPatch& patch : mesh_.boundaryMesh())
+        {
+            if (isEnd(patch) && exchange_.total(patch.size()) > 0)
+            {
+                list += (list.empty() ? "" : ", ") + patch.name();
+            }
+        }
+        return list;
+    }
+
+    // The ends across an axis, of faces that are nearer to it than `tilt`.
+    Ends endsAcross(direction d, IsEnd isEnd, scalar tilt) const
+    {
+        Ends ends;
+        labelList nLow(mesh_.nCells(), 0), nHigh(mesh_.nCells(), 0);
+        ends.faces.low.setSize(mesh_.nCells(), -1);
+        ends.faces.high.setSize(mesh_.nCells(), -1);
+        forEachEnd(
+            isEnd,
+            [&](label facei)
+            {
+                const vector& area = mesh_.faceAreas()[facei];
+                if (mag(area[d]) < (1 - tilt) * mag(area))
+                {
+                    return;
+                }
+                const label celli = mesh_.faceOwner()[facei];
+                const bool low = area[d] < 0;
+                ++(low ? nLow : nHigh)[celli];
+                (low ? ends.faces.low : ends.faces.high)[celli] = facei;
+            }
+        );
+        forAll(nLow, celli)
+        {
+            ends.nWrong += nLow[celli] != 1 || nHigh[celli] != 1;
+        }
+        ends.nWrong = exchange_.total(ends.nWrong);
+        return ends;
+    }
+
+    CellLayer declared(IsEnd isEnd, const std::string& type) const
+    {
+        FixedList<label, 3> n(label(0));
+        forEachEnd(isEnd, [&](label facei) { ++n[across(mesh_.faceAreas()[facei])]; });
+        std::string axes;
+        direction last = 0;
+        for (direction d = 0; d < 3; ++d)
+        {
+            n[d] = exchange_.total(n[d]);
+            if (n[d] > 0)
+            {
+                last = d;
+                axes += (axes.empty() ? "" : " and ") + std::to_string(n[d])
+                        + " faces across " + "xyz"[d];
+            }
+        }
+        const label nCells = exchange_.total(mesh_.nCells());
+        const std::string found =
+            "The patches of type " + type + " (" + names(isEnd) + ") have " + axes;
+        const std::string allowed =
+            "; allowed is one layer of cells, with one such face "
+            "of each cell on either side.";
+        if (n[0] + n[1] + n[2] != n[last])
+        {
+            throw BadInput(found + ", which leaves one dimension" + allowed);
+        }
+        Ends ends(endsAcross(last, isEnd, 1));
+        if (ends.nWrong > 0)
+        {
+            throw BadInput(
+                found + ", but " + std::to_string(ends.nWrong) + " of "
+                + std::to_string(nCells) + " cells do not lie between two of them"
+                + allowed
+            );
+        }
+        PlaneSection section(
+            isWedge == isEnd ? wedge(last, ends.faces) : plane(last, ends.faces)
+        );
+        return {section, std::move(ends.faces)};
+    }
+
+    std::optional<CellLayer> betweenSymmetries() const
+    {
+        std::optional<CellLayer> found;
+        for (direction d = 0; d < 3; ++d)
+        {
+            Ends ends(endsAcross(d, isSymmetry, planar));
+            if (ends.nWrong > 0 || !flat(d, ends.faces))
+            {
+                continue;
+            }
+            if (found)
+            {
+                return std::nullopt; // a row of cells
+            }
+            const PlaneSection section(plane(d, ends.faces));
+            found = CellLayer{section, std::move(ends.faces)};
+        }
+        return found;
+    }
+
+    // The lowest and the highest coordinate of the points of these faces, on all ranks.
+    std::pair<scalar, scalar> range(direction d, const labelList& faces) const
+    {
+        scalar low = GREAT, high = -GREAT;
+        for (const label facei : faces)
+        {
+            for (const label pointi : mesh_.faces()[facei])
+            {
+                low = min(low, mesh_.points()[pointi][d]);
+                high = max(high, mesh_.points()[pointi][d]);
+            }
+        }
+        low = -largest(-low, exchange_);
+        return {low, largest(high, exchange_)};
+    }
+
+    bool flat(direction d, const LayerEnds& ends) const
+    {
+        const auto [lowest, low] = range(d, ends.low);
+        const auto [high, highest] = range(d, ends.high);
+        return highest > lowest
+               && max(low - lowest, highest - high) <= planar * (highest - lowest);
+    }
+
+    // The section but for what a wedge has besides.
+    PlaneSection plane(direction d, const LayerEnds& ends) const
+    {
+        const scalar low = range(d, ends.low).first, high = range(d, ends.high).second;
+        List<ExactSum> area(1);
+        for (const label facei : ends.low)
+        {
+            area[0].add(mag(mesh_.faceAreas()[facei][d]));
+        }
+        sum(area, exchange_);
+        PlaneSection section;
+        section.normal = Zero;
+        section.normal[d] = 1;
+        section.middle = 0.5 * (low + high);
+        section.meshThickness = high - low;
+        section.thickness =
+            std::sqrt(area[0].value() / exchange_.total(mesh_.nCells()));
+        return section;
+    }
+
+    PlaneSection wedge(direction d, const LayerEnds& ends) const
+    {
+        List<ExactSum> sums(12); // areas, and moments of sizes of areas, low and high
+        label side = 0;
+        for (const labelList* faces : {&ends.low, &ends.high})
+        {
+            for (const label facei : *faces)
+            {
+                const vector& area = mesh_.faceAreas()[facei];
+                for (direction i = 0; i < 3; ++i)
+                {
+                    sums[6 * side + i].add(area[i]);
+                    sums[6 * side + 3 + i].add(
+                        mag(area) * mesh_.faceCentres()[facei][i]
+                    );
+                }
+            }
+            ++side;
+        }
+        sum(sums, exchange_);
+        const auto value = [&](label i)
+        { return vector(sums[i].value(), sums[i + 1].value(), sums[i + 2].value()); };
+        const vector low(value(0)), high(value(6));
+        const point lowCentre(value(3) / mag(low)), highCentre(value(9) / mag(high));
+
+        PlaneSection section(plane(d, ends));
+        section.wedge = true;
+        const vector& normal = section.normal;
+        vector outward(-section.inPlane(low + high)); // from the axis
+        outward /= mag(outward);
+        for (direction i = 0; i < 3; ++i)
+        {
+            const vector axis(sign(outward[i]) * axisOf(i));
+            if (mag(outward - axis) < aligned)
+            {
+                outward = axis;
+            }
+        }
+        section.axis = normal ^ outward;
+        section.axis *= sign(cmptSum(section.axis));
+        const auto slope = [&](const vector& area)
+        { return mag((area & outward) / (area & normal)); };
+        section.meshThickness = slope(low) + slope(high);
+        const scalar centre = 0.5 * ((lowCentre + highCentre) & outward);
+        const scalar width = (highCentre - lowCentre) & normal;
+        scalar radius = nearestOfBoth(ends, outward);
+        if (radius >= GREAT)
+        {
+            radius = centre - width / section.meshThickness;
+            radius = mag(radius) < aligned * mag(centre) ? 0 : radius;
+        }
+        section.axisPoint = radius * outward + section.middle * normal;
+        return section;
+    }
+
+    static vector axisOf(direction d)
+    {
+        vector axis(Zero);
+        axis[d] = 1;
+        return axis;
+    }
+
+    // The place along `outward` of the points in which both sides meet; GREAT: none.
+    scalar nearestOfBoth(const LayerEnds& ends, const vector& outward) const
+    {
+        List<bool> isLow(mesh_.nPoints(), false);
+        for (const label facei : ends.low)
+        {
+            for (const label pointi : mesh_.faces()[facei])
+            {
+                isLow[pointi] = true;
+            }
+        }
+        scalar nearest = GREAT;
+        for (const label facei : ends.high)
+        {
+            for (const label pointi : mesh_.faces()[facei])
+            {
+                if (isLow[pointi])
+                {
+                    nearest = min(nearest, mesh_.points()[pointi] & outward);
+                }
+            }
+        }
+        return -largest(-nearest, exchange_);
+    }
+
+    const polyMesh& mesh_;
+    const Exchange& exchange_;
+};
+
+} // namespace
+
+bool isSymmetry(const polyPatch& patch)
+{
+    return isA<symmetryPolyPatch>(patch) || isA<symmetryPlanePolyPatch>(patch);
+}
+
+std::optional<CellLayer> findLayer(const polyMesh& mesh, const Exchange& exchange)
+{
+    return LayerSearch(mesh, exchange).run();
+}
+
+} // namespace Foam::stability
