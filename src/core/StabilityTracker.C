@@ -250,7 +250,15 @@ void StabilityTracker::reseedTimeSurface(const ClassifiedSurface& interface)
     SurfacePiece piece;
     static_cast<SurfaceOrder&>(piece) = interface.order;
     piece.mesh = interface.mesh;
-    timeSurface_.seed(piece, interface, latest_->time, complex(), exchange_);
+    PointMarks marks(interface);
+    if (hasOpenings_)
+    {
+        // From now on what entered counts.
+        const SurfaceHalo halo(surroundings(piece, setting()));
+        marks.areas =
+            halo.toOwned(pointAreasInMesh(halo.mesh(), complex().whole().section));
+    }
+    timeSurface_.seed(piece, marks, latest_->time, complex(), exchange_);
 }
 
 // Confidence: how far each class is from being decided by noise.

@@ -52,10 +52,11 @@ void StabilityTracker::startSurface(const SurfacePiece& interface)
 // M lies off its remeshed copy T by a distance that is known, however narrow the band.
 Comparison::Setting StabilityTracker::settingOfCopy() const
 {
-    constexpr scalar reserve = 2; // where normals do not admit the nearest triangle
+    constexpr scalar reserve = 2; // for points that seams add
     Comparison::Setting result(setting());
     result.matching.epsilon.least =
         reserve * result_.parametrization->remeshingDistance;
+    result.matching.normalGate = false; // remeshing rounds corners off
     result.transfer.merge = Merge::nearest;
     return result;
 }

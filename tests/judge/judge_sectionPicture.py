@@ -35,9 +35,9 @@ box = (rows.max() - rows.min()) / (columns.max() - columns.min())
 verdict.at_most("the tank is as high as broad, but for", abs(box - 1), 0.01)
 inside = scene[rows.min() : rows.max(), columns.min() : columns.max()]
 area = inside.shape[0] * inside.shape[1]
-fluid = near(FLUID).sum() / area
+fluid = near(FLUID)[rows.min() : rows.max(), columns.min() : columns.max()].sum() / area
 verdict.check("a tenth to a fifth is fluid", 0.08 < fluid < 0.2, f"{fluid:.3f}")
-air = near([255, 255, 255]).sum() / area
+air = near([255] * 3)[rows.min() : rows.max(), columns.min() : columns.max()].sum() / area
 verdict.check("most is air", air > 0.7, f"{air:.3f}")
 verdict.check(
     "the fluid lies below",

@@ -39,6 +39,14 @@ pointField middlesAround(const InterfaceMesh& mesh)
     return sums;
 }
 
+// True for a surface of polygons whose points are not welded: a droplet has more
+// triangles.
+bool isLoose(const MatchTarget& target)
+{
+    constexpr label fewest = 8;
+    return target.mesh().triangles.size() < fewest * target.topology().nComponents();
+}
+
 // True where an end of a rim of triangle a lies beside triangle b, which faces the same
 // way: the polygons of a surface whose points are not welded hang together so.
 bool liesBeside(const MatchTarget& target, label a, label b, scalar gap)
@@ -252,7 +260,7 @@ label MatchTarget::countPatches(const Seeker& seeker, scalar epsilon) const
         }
         ++nPatches;
     }
-    if (nPatches > 1)
+    if (nPatches > 1 && isLoose(*this))
     {
         const label pointi = mesh_.triangles[near.front()][0];
         nPatches = nPatchesBeside(

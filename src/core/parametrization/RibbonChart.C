@@ -92,8 +92,8 @@ struct RibbonCurve
     }
 };
 
-// The unit directions of the curve at its points, in their order; at the ends as of an
-// arc.
+// The unit directions of the curve at its points, in their order: those of the arcs
+// through three points each.
 vectorField directionsAlong(const pointField& x, bool closed)
 {
     const label n = x.size();
@@ -107,7 +107,9 @@ vectorField directionsAlong(const pointField& x, bool closed)
     {
         if (closed || (i > 0 && i + 1 < n))
         {
-            const vector sum = chord((i + n - 1) % n) + chord(i);
+            const point &before = x[(i + n - 1) % n], &after = x[(i + 1) % n];
+            const vector sum = mag(after - x[i]) * chord((i + n - 1) % n)
+                               + mag(x[i] - before) * chord(i);
             directions[i] = sum / std::max(mag(sum), scalar(VSMALL));
         }
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/reconstruction/IsoAlpha.H"
+#include "core/base/Errors.H"
 #include "core/reconstruction/MarchingTets.H"
 #include "core/reconstruction/SectionExtraction.H"
 #include "core/cells/CanonicalOrder.H"
@@ -306,6 +307,11 @@ ReconstructionResult IsoAlpha::extract(const FlowSnapshot& snapshot) const
     MarchingTets tets(tetsFor(complex, options_));
     if (complex.whole().section)
     {
+        if (options_.volumeFit != VolumeFit::none)
+        {
+            throw BadInput("Fitting volumes (volumeFit) is for three dimensions: on a "
+                           "two-dimensional mesh or a wedge it must be none.");
+        }
         cutSection(
             complex, fractions, SectionMethod::isoAlpha, ringsOf(options_), tets
         );

@@ -38,10 +38,10 @@ StartChart::read(label trianglei, const point& origin, const vector2D& carried) 
     const pointField& x = surface_->points;
     const List<vector2D>& p = surface_->parameters;
     const scalar area = 2 * mag(surface_->areaVector(trianglei));
-    const scalar parameterArea =
-        mag((p[c[1]] - p[c[0]]).perp(p[c[2]] - p[c[0]])); // twice it, as `area`
+    const vector2D d1 = p[c[1]] - p[c[0]], d2 = p[c[2]] - p[c[0]];
+    const scalar parameterArea = d1.perp(d2); // twice it, as `area`
     Reading reading;
-    if (area > 0 && parameterArea > 0)
+    if (area > 0 && parameterArea != 0)
     {
         const FixedList<scalar, 3> w = planeWeights(origin, x[t[0]], x[t[1]], x[t[2]]);
         reading.origin = w[0] * x[t[0]] + w[1] * x[t[1]] + w[2] * x[t[2]];
@@ -50,9 +50,12 @@ StartChart::read(label trianglei, const point& origin, const vector2D& carried) 
         {
             reading.p[d] = std::min(std::max(reading.p[d], scalar(0)), scalar(1));
         }
-        const scalar metres =
-            std::sqrt(area / parameterArea) * mag(reading.p - carried);
-        reading.gap = metres / surface_->cellSizes[t[0]];
+        // The way on the surface: in two dimensions u and v have scales of their own.
+        const vector2D d = reading.p - carried;
+        const vector way =
+            (d.perp(d2) * (x[t[1]] - x[t[0]]) + d1.perp(d) * (x[t[2]] - x[t[0]]))
+            / parameterArea;
+        reading.gap = mag(way) / surface_->cellSizes[t[0]];
     }
     return reading;
 }

@@ -3,13 +3,11 @@
 #include "foam/ranks/CellLayer.H"
 
 #include "core/base/Errors.H"
-#include "core/ranks/ExactSum.H"
+#include "foam/ranks/LayerGeometry.H"
 #include "emptyPolyPatch.H"
 #include "symmetryPlanePolyPatch.H"
 #include "symmetryPolyPatch.H"
 #include "wedgePolyPatch.H"
-
-#include <cmath>
 
 namespace Foam::stability
 {
@@ -17,8 +15,7 @@ namespace Foam::stability
 namespace
 {
 
-constexpr scalar planar = 1e-6;  // shares of lengths: symmetry planes are as flat
-constexpr scalar aligned = 1e-4; // shares of lengths: the coordinates have round-off
+constexpr scalar planar = 1e-6; // shares of lengths: symmetry planes are as flat
 
 using IsEnd = bool (*)(const polyPatch&);
 
@@ -168,8 +165,9 @@ private:
                 + allowed
             );
         }
-        PlaneSection section(
-            isWedge == isEnd ? wedge(last, ends.faces) : plane(last, ends.faces)
+        const LayerGeometry geometry(mesh_, exchange_, last, ends.faces);
+        const PlaneSection section(
+            isWedge == isEnd ? geometry.wedge() : geometry.plane()
         );
         return {section, std::move(ends.faces)};
     }
@@ -180,7 +178,8 @@ private:
         for (direction d = 0; d < 3; ++d)
         {
             Ends ends(endsAcross(d, isSymmetry, planar));
-            if (ends.nWrong > 0 || !flat(d, ends.faces))
+            const LayerGeometry geometry(mesh_, exchange_, d, ends.faces);
+            if (ends.nWrong > 0 || !geometry.isFlat(planar))
             {
                 continue;
             }
@@ -188,141 +187,10 @@ private:
             {
                 return std::nullopt; // a row of cells
             }
-            const PlaneSection section(plane(d, ends.faces));
+            const PlaneSection section(geometry.plane());
             found = CellLayer{section, std::move(ends.faces)};
         }
         return found;
-    }
-
-    // The lowest and the highest coordinate of the points of these faces, on all ranks.
-    std::pair<scalar, scalar> range(direction d, const labelList& faces) const
-    {
-        scalar low = GREAT, high = -GREAT;
-        for (const label facei : faces)
-        {
-            for (const label pointi : mesh_.faces()[facei])
-            {
-                low = min(low, mesh_.points()[pointi][d]);
-                high = max(high, mesh_.points()[pointi][d]);
-            }
-        }
-        low = -largest(-low, exchange_);
-        return {low, largest(high, exchange_)};
-    }
-
-    bool flat(direction d, const LayerEnds& ends) const
-    {
-        const auto [lowest, low] = range(d, ends.low);
-        const auto [high, highest] = range(d, ends.high);
-        return highest > lowest
-               && max(low - lowest, highest - high) <= planar * (highest - lowest);
-    }
-
-    // The section but for what a wedge has besides.
-    PlaneSection plane(direction d, const LayerEnds& ends) const
-    {
-        const scalar low = range(d, ends.low).first, high = range(d, ends.high).second;
-        List<ExactSum> area(1);
-        for (const label facei : ends.low)
-        {
-            area[0].add(mag(mesh_.faceAreas()[facei][d]));
-        }
-        sum(area, exchange_);
-        PlaneSection section;
-        section.normal = Zero;
-        section.normal[d] = 1;
-        section.middle = 0.5 * (low + high);
-        section.meshThickness = high - low;
-        section.thickness =
-            std::sqrt(area[0].value() / exchange_.total(mesh_.nCells()));
-        return section;
-    }
-
-    PlaneSection wedge(direction d, const LayerEnds& ends) const
-    {
-        List<ExactSum> sums(12); // areas, and moments of sizes of areas, low and high
-        label side = 0;
-        for (const labelList* faces : {&ends.low, &ends.high})
-        {
-            for (const label facei : *faces)
-            {
-                const vector& area = mesh_.faceAreas()[facei];
-                for (direction i = 0; i < 3; ++i)
-                {
-                    sums[6 * side + i].add(area[i]);
-                    sums[6 * side + 3 + i].add(
-                        mag(area) * mesh_.faceCentres()[facei][i]
-                    );
-                }
-            }
-            ++side;
-        }
-        sum(sums, exchange_);
-        const auto value = [&](label i)
-        { return vector(sums[i].value(), sums[i + 1].value(), sums[i + 2].value()); };
-        const vector low(value(0)), high(value(6));
-        const point lowCentre(value(3) / mag(low)), highCentre(value(9) / mag(high));
-
-        PlaneSection section(plane(d, ends));
-        section.wedge = true;
-        const vector& normal = section.normal;
-        vector outward(-section.inPlane(low + high)); // from the axis
-        outward /= mag(outward);
-        for (direction i = 0; i < 3; ++i)
-        {
-            const vector axis(sign(outward[i]) * axisOf(i));
-            if (mag(outward - axis) < aligned)
-            {
-                outward = axis;
-            }
-        }
-        section.axis = normal ^ outward;
-        section.axis *= sign(cmptSum(section.axis));
-        const auto slope = [&](const vector& area)
-        { return mag((area & outward) / (area & normal)); };
-        section.meshThickness = slope(low) + slope(high);
-        const scalar centre = 0.5 * ((lowCentre + highCentre) & outward);
-        const scalar width = (highCentre - lowCentre) & normal;
-        scalar radius = nearestOfBoth(ends, outward);
-        if (radius >= GREAT)
-        {
-            radius = centre - width / section.meshThickness;
-            radius = mag(radius) < aligned * mag(centre) ? 0 : radius;
-        }
-        section.axisPoint = radius * outward + section.middle * normal;
-        return section;
-    }
-
-    static vector axisOf(direction d)
-    {
-        vector axis(Zero);
-        axis[d] = 1;
-        return axis;
-    }
-
-    // The place along `outward` of the points in which both sides meet; GREAT: none.
-    scalar nearestOfBoth(const LayerEnds& ends, const vector& outward) const
-    {
-        List<bool> isLow(mesh_.nPoints(), false);
-        for (const label facei : ends.low)
-        {
-            for (const label pointi : mesh_.faces()[facei])
-            {
-                isLow[pointi] = true;
-            }
-        }
-        scalar nearest = GREAT;
-        for (const label facei : ends.high)
-        {
-            for (const label pointi : mesh_.faces()[facei])
-            {
-                if (isLow[pointi])
-                {
-                    nearest = min(nearest, mesh_.points()[pointi] & outward);
-                }
-            }
-        }
-        return -largest(-nearest, exchange_);
     }
 
     const polyMesh& mesh_;

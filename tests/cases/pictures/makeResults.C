@@ -139,7 +139,7 @@ int main(int argc, char* argv[])
             folder + "/interface_000001.vtp", sphere(0.02, vector(0.2, 0, -0.1))
         );
         writer->writeVtp(
-            folder + "/interface_000002.vtp", ResultSurface{0.04, {}, {}, {}}
+            folder + "/interface_000002.vtp", ResultSurface{0.04, {}, {}, {}, {}}
         );
         for (int i = 0; i < 3; ++i)
         {

@@ -22,7 +22,7 @@ Usage
         through        | a point of that axis                  | no | (0 0 0)
         period         | of one revolution [s]; 0: none        | no | 0
         velocity       | of the body's translation [m/s]       | no | (0 0 0)
-        copies         | shifts to further copies of a sphere: those that cyclic
+        copies         | shifts to further copies of it: those that cyclic
                          patches make [m]                     | no | ()
         sectors        | so many copies of it, about the axis | no | 1
         deformation    | of the unit cube, LeVeque's: period [s]; 0: none | no | 0
@@ -44,6 +44,7 @@ one that is strained does not rotate or translate.
 #include "fvCFD.H"
 
 #include "emptyPolyPatch.H"
+#include "symmetryPlanePolyPatch.H"
 #include "wedgePolyPatch.H"
 
 #include "shapes/DeformedSphere.H"
@@ -200,7 +201,8 @@ private:
         for (const polyPatch& patch : mesh.boundaryMesh())
         {
             const bool wedge = isA<wedgePolyPatch>(patch);
-            if (!wedge && !isA<emptyPolyPatch>(patch))
+            if (!wedge && !isA<emptyPolyPatch>(patch)
+                && !isA<symmetryPlanePolyPatch>(patch))
             {
                 continue;
             }
@@ -227,7 +229,7 @@ private:
     {
         const Section& section = section_;
         const vector side(section.normal ^ strainAxis_);
-        const point centre(strain_ == 0 ? at(time) : centre_);
+        const DynamicList<point> centres(centresAt(strain_ == 0 ? time : 0));
         const auto inPlane = [&](const point& x, scalar t)
         {
             const vector2D place((x - through_) & strainAxis_, (x - through_) & side);
@@ -243,10 +245,14 @@ private:
             {
                 polygon.append(inPlane(mesh.points()[pointi], time));
             }
-            const PlaneShare disc(discShare(polygon, inPlane(centre, 0), radius_));
             const PlaneShare all(polygonShare(polygon));
-            const scalar share =
-                section.wedge ? disc.moment / all.moment : disc.area / all.area;
+            scalar share = 0;
+            for (const point& centre : centres)
+            {
+                const PlaneShare disc(discShare(polygon, inPlane(centre, 0), radius_));
+                share +=
+                    section.wedge ? disc.moment / all.moment : disc.area / all.area;
+            }
             fractions[mesh.faceOwner()[facei]] = Foam::max(0.0, Foam::min(1.0, share));
         }
         return fractions;

@@ -208,38 +208,86 @@ private:
         }
     }
 
-    // One ring of neighbours leaves the curvature across a wall undetermined.
+    // One ring of neighbours leaves the curvature across a wall undetermined; behind
+    // the axis of a wedge there are the mirrored ones.
     void fit(CellStencil& stencil, InterfaceFit& own) const
     {
-        constexpr scalar sigma = 1.5; // in sizes
         if (!(own.weight > 0))
         {
             return;
         }
         NormalEquations<6> equations;
-        const label nRings = touchesBoundary(complex_, own.cell) ? 2 : 1;
+        const bool atAxis = touchesAxis(own.cell);
+        const label nRings = !atAxis && touchesBoundary(complex_, own.cell) ? 2 : 1;
         for (const label celli : stencil.rings(own.cell, nRings))
         {
             for (const label i : byCell_[celli])
             {
-                const PlicPlane& plane = result_.planes[i];
-                const scalar weight = result_.fits[i].weight;
-                if (weight > 0 && (plane.normal & own.normal) > smallestAlignment)
+                addPlane(result_.planes[i], result_.fits[i].weight, own, equations);
+                if (atAxis && touchesAxis(celli))
                 {
-                    const vector x = own.local(plane.centre);
-                    const scalar size2 = sqr(own.size);
-                    NormalEquations<6>::Vector row;
-                    row << 1, x.x(), x.y(),
-                        sqr(x.x()) + (own.t1 & plane.secondMoment & own.t1) / size2,
-                        x.x() * x.y() + (own.t1 & plane.secondMoment & own.t2) / size2,
-                        sqr(x.y()) + (own.t2 & plane.secondMoment & own.t2) / size2;
-                    equations.add(
-                        row, x.z(), weight * std::exp(-magSqr(x) / sqr(sigma))
-                    );
+                    const PlicPlane other(mirrored(result_.planes[i]));
+                    addPlane(other, result_.fits[i].weight, own, equations);
                 }
             }
         }
         take(equations, own);
+    }
+
+    static void addPlane(
+        const PlicPlane& plane, scalar weight, const InterfaceFit& own,
+        NormalEquations<6>& equations
+    )
+    {
+        constexpr scalar sigma = 1.5; // in sizes
+        if (weight > 0 && (plane.normal & own.normal) > smallestAlignment)
+        {
+            const vector x = own.local(plane.centre);
+            const scalar size2 = sqr(own.size);
+            NormalEquations<6>::Vector row;
+            row << 1, x.x(), x.y(),
+                sqr(x.x()) + (own.t1 & plane.secondMoment & own.t1) / size2,
+                x.x() * x.y() + (own.t1 & plane.secondMoment & own.t2) / size2,
+                sqr(x.y()) + (own.t2 & plane.secondMoment & own.t2) / size2;
+            equations.add(row, x.z(), weight * std::exp(-magSqr(x) / sqr(sigma)));
+        }
+    }
+
+    bool touchesAxis(label celli) const
+    {
+        constexpr scalar onAxis = 1e-6; // in cells
+        const std::optional<PlaneSection>& section = complex_.whole().section;
+        if (!section || !section->wedge)
+        {
+            return false;
+        }
+        const auto isOn = [&](label pointi)
+        {
+            return section->radius(complex_.points()[pointi])
+                   < onAxis * complex_.cellSizes()[celli];
+        };
+        for (const label facei : complex_.cellFaces()[celli])
+        {
+            const face& f = complex_.faces()[facei];
+            if (std::any_of(f.begin(), f.end(), isOn))
+            {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    // The plane on the other side of the axis of a wedge: the interface goes on there.
+    PlicPlane mirrored(const PlicPlane& plane) const
+    {
+        const PlaneSection& section = *complex_.whole().section;
+        const tensor mirror = I - 2 * sqr(section.axis ^ section.normal);
+        PlicPlane other(plane);
+        other.centre =
+            section.axisPoint + (mirror & (plane.centre - section.axisPoint));
+        other.normal = mirror & plane.normal;
+        other.secondMoment = symm(mirror & plane.secondMoment & mirror);
+        return other;
     }
 
     // The plane stays if neighbours do not tell.

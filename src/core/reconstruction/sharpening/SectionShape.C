@@ -84,21 +84,28 @@ PlicPlane SectionShape::planeOf(const vector& normal, scalar alpha) const
     const auto shareBeyond = [&](scalar offset, PlicPlane& plane)
     {
         const scalar kept = cut(normal, offset, crossings);
-        scalar length = 0, first = 0, second = 0, weighted = 0;
+        scalar length = 0, weighted = 0, first = 0, second = 0;
         for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
         {
             const scalar a = crossings[i], b = crossings[i + 1];
             length += b - a;
-            first += (sqr(b) - sqr(a)) / 2;
-            second += (pow3(b) - pow3(a)) / 3;
-            weighted += (b - a) * weight(offset * normal + 0.5 * (a + b) * t);
+            // Simpson's rule, exact for a weight that is linear.
+            const scalar places[3] = {a, 0.5 * (a + b), b}, shares[3] = {1, 4, 1};
+            for (label k = 0; k < 3; ++k)
+            {
+                const scalar w =
+                    shares[k] / 6 * (b - a) * weight(offset * normal + places[k] * t);
+                weighted += w;
+                first += w * places[k];
+                second += w * sqr(places[k]);
+            }
         }
         plane.area = length * section_.thickness;
-        if (length > 0)
+        if (weighted > 0)
         {
-            const scalar mean = first / length;
+            const scalar mean = first / weighted;
             plane.centre = section_.inMiddle(origin_ + offset * normal + mean * t);
-            plane.secondMoment = (second / length - sqr(mean)) * sqr(t);
+            plane.secondMoment = (second / weighted - sqr(mean)) * sqr(t);
         }
         return ShareBeyond{kept / area_, weighted / area_};
     };

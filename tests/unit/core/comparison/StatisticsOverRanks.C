@@ -65,6 +65,17 @@ ClassifiedSurface hills(unsigned seed)
     return surface;
 }
 
+ClassifiedSurface hillsOfInterface()
+{
+    ClassifiedSurface surface(hills(1));
+    for (Stability& stability : surface.stability)
+    {
+        stability =
+            stability == Stability::detached ? Stability::attached : Stability::stable;
+    }
+    return surface;
+}
+
 // Shifts of the points of a surface [m].
 pointField seedsOf(const ClassifiedSurface& surface)
 {
@@ -151,7 +162,7 @@ std::vector<scalar> allValues(const Statistics& statistics)
 
 std::vector<std::vector<scalar>> valuesOn(label n)
 {
-    const ClassifiedSurface interface(hills(1)), timeSurface(hills(2));
+    const ClassifiedSurface interface(hillsOfInterface()), timeSurface(hills(2));
     std::vector<std::vector<scalar>> values(n);
     shapes::onRanks(
         n,
@@ -176,7 +187,7 @@ std::vector<std::vector<scalar>> valuesOn(label n)
 TEST(StatisticsOverRanks, areThoseOfTheWhole)
 {
     Statistics whole;
-    const ClassifiedSurface interface(hills(1)), timeSurface(hills(2));
+    const ClassifiedSurface interface(hillsOfInterface()), timeSurface(hills(2));
     addSurfaceStatistics(
         whole, interface, timeSurface, Epsilon{0.3, true}, SerialExchange()
     );
@@ -188,12 +199,13 @@ TEST(StatisticsOverRanks, areThoseOfTheWhole)
     EXPECT_EQ(whole.nTriangles, interface.mesh.triangles.size());
     EXPECT_NEAR(whole.coverage(), 0.33, 0.05);
     for (const scalar part :
-         {whole.stableArea, whole.attachedArea, whole.leftArea, whole.detachedNearWall,
-          whole.detachedThin, whole.detachedResolved})
+         {whole.stableArea, whole.attachedArea, whole.enteredArea,
+          whole.detachedNearWall, whole.detachedThin, whole.detachedResolved})
     {
         EXPECT_GT(part, 0.02 * area);
         EXPECT_LT(part, 0.9 * area);
     }
+    EXPECT_GT(whole.leftArea, 0.02 * area);
     for (const label n : {1, 2, 3, 5})
     {
         for (const std::vector<scalar>& ofRank : valuesOn(n))

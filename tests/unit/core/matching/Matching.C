@@ -261,4 +261,5 @@ TEST(Matching, polygonsSideBySideAreOneSheet)
     EXPECT_EQ(sheets(both(loose(0), loose(0.6 * h))), labelPair(2, 2));
     EXPECT_EQ(sheets(both(loose(0), turnedOver(loose(0.6 * h)))), labelPair(1, 1));
     EXPECT_EQ(sheets(both(sheet(0, h), sheet(0.6 * h, h))), labelPair(2, 2));
+    EXPECT_EQ(sheets(both(sheet(0, h), sheet(0.2 * h, h))), labelPair(2, 2));
 }

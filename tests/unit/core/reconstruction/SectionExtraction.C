@@ -228,4 +228,59 @@ TEST(SectionExtraction, halfPlanes)
     }
 }
 
+TEST(SectionExtraction, smoothedAlongTheCurve)
+{
+    for (const auto& [name, mesh] : zoo())
+    {
+        SCOPED_TRACE(name);
+        const auto complex = shapes::complexOf(mesh);
+        const shapes::Shape disc = discIn(*complex);
+        const FlowSnapshot snapshot(shapes::snapshotOf(complex, disc));
+        ReconstructionOptions options;
+        const ReconstructionResult plain =
+            Reconstruction::New(options)->extract(snapshot);
+        options.smooth = 3;
+        const ReconstructionResult smooth =
+            Reconstruction::New(options)->extract(snapshot);
+        EXPECT_EQ(expectRibbon(smooth.mesh, *complex), 0);
+        EXPECT_LT(
+            errorsOf(smooth.mesh, disc).rms, 0.9 * errorsOf(plain.mesh, disc).rms
+        );
+        EXPECT_NEAR(smooth.volume / plain.volume, 1, 0.005);
+    }
+}
+
+TEST(SectionExtraction, plicLiesInRectangles)
+{
+    for (const auto& [name, mesh] : zoo())
+    {
+        SCOPED_TRACE(name);
+        const auto complex = shapes::complexOf(mesh);
+        const shapes::Shape disc = discIn(*complex);
+        const FlowSnapshot snapshot(shapes::snapshotOf(complex, disc));
+        const ReconstructionResult result = ribbonBy(snapshot, "plic");
+        EXPECT_EQ(result.nFailed, 0);
+        EXPECT_EQ(2 * result.mesh.points.size(), 4 * result.mesh.triangles.size());
+        const PlaneSection& section = *complex->whole().section;
+        const labelList pairs(pairsAcross(result.mesh, section));
+        forAll(pairs, pointi)
+        {
+            EXPECT_NE(pairs[pointi], pointi);
+        }
+        EXPECT_LT(errorsOf(result.mesh, disc).rms, 0.04);
+        EXPECT_NEAR(
+            result.mesh.area() / section.thickness / (2 * M_PI * radius), 1, 0.02
+        );
+        forAll(result.mesh.triangles, i)
+        {
+            const point x = result.mesh.centre(i);
+            EXPECT_GT(
+                disc(x + 0.1 * result.mesh.areaVector(i))
+                    - disc(x - 0.1 * result.mesh.areaVector(i)),
+                0
+            );
+        }
+    }
+}
+
 } // namespace Foam::stability::ribbons

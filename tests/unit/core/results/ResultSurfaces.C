@@ -185,7 +185,7 @@ TEST(ResultSurfaces, emptySurfacesHaveAllArrays)
 {
     const ResultSurface surface(interfaceSurface(ClassifiedSurface(), 0.3));
     EXPECT_EQ(surface.points.size(), 0);
-    EXPECT_EQ(surface.arrays.size(), 13u);
+    EXPECT_EQ(surface.arrays.size(), 15u);
     const ResultSurface cloud(particleCloud(List<InstabilityParticle>(), 0.3));
-    EXPECT_EQ(cloud.arrays.size(), 10u);
+    EXPECT_EQ(cloud.arrays.size(), 11u);
 }
