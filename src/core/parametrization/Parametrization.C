@@ -2,15 +2,12 @@
 
 #include "core/parametrization/Parametrization.H"
 
-#include "core/parametrization/Chart.H"
 #include "core/parametrization/ChartPacking.H"
 #include "core/parametrization/Patches.H"
-#include "core/parametrization/Remeshing.H"
 #include "core/parametrization/RibbonChart.H"
 #include "core/ranks/ExactSum.H"
 
 #include <algorithm>
-#include <numeric>
 
 namespace Foam::stability
 {
@@ -145,9 +142,8 @@ SurfacePiece joined(
 }
 
 // In two dimensions.
-FlatPatch unrolled(
-    const InterfaceMesh& mesh, const Patch& patch, const PlaneSection& section
-)
+FlatPatch
+unrolled(const InterfaceMesh& mesh, const Patch& patch, const PlaneSection& section)
 {
     constexpr scalar stripLength = 0.2; // in mean cell sizes of the patch
     FlatPatch flat;
@@ -282,70 +278,24 @@ scalar packFlats(
     return scales.x();
 }
 
-// A few words on what failed for the patch; empty where nothing did.
-std::string failureOf(const FlatPatch& flat, const std::string& method)
-{
-    std::string text;
-    if (!flat.copy.failure.empty())
-    {
-        text = "remeshing failed (" + flat.copy.failure + "), it stays as it is";
-    }
-    if (flat.chart.fallback)
-    {
-        text += (text.empty() ? "" : "; ") + method + " failed (" + flat.chart.failure
-                + "), ";
-        text +=
-            flat.chart.parameters.empty() ? "it gets no parameters" : "tutte was taken";
-    }
-    return text;
-}
-
-// The fallbacks of all ranks, on the master, in the order of the patches.
-std::vector<ParametrizationFallback> gatheredFallbacks(
-    const List<Patch>& patches, const List<FlatPatch>& flats, const std::string& method,
-    const Exchange& exchange
+std::vector<ParametrizationFallback> fallbacksOf(
+    const List<Patch>& patches, const List<FlatPatch>& flats, const std::string& method
 )
 {
-    Packet mine;
-    const auto packMine = [&]
+    std::vector<ParametrizationFallback> here;
+    forAll(flats, i)
     {
-        forAll(flats, i)
+        const PlainSurface& surface = patches[i].surface;
+        const std::string text(failureText(flats[i].copy, flats[i].chart, method));
+        if (!text.empty())
         {
-            const std::string text(failureOf(flats[i], method));
-            if (!text.empty())
-            {
-                mine.put(flats[i].number + 1);
-                mine.put(patches[i].surface.triangles.size());
-                mine.put(average(patches[i].surface.points));
-                mine.putList(List<char>(text.begin(), text.end()));
-            }
+            here.push_back(
+                {flats[i].number + 1, surface.triangles.size(), average(surface.points),
+                 text}
+            );
         }
-    };
-    runOnAllRanks(exchange, packMine);
-    std::vector<Packet> packets(exchange.toMaster(std::move(mine)));
-    std::vector<ParametrizationFallback> all;
-    const auto unpackAll = [&]
-    {
-        for (Packet& packet : packets)
-        {
-            while (!packet.atEnd())
-            {
-                ParametrizationFallback fallback;
-                fallback.patch = packet.get<label>();
-                fallback.nTriangles = packet.get<label>();
-                fallback.centre = packet.get<point>();
-                const List<char> text(packet.getList<char>());
-                fallback.what.assign(text.begin(), text.end());
-                all.push_back(std::move(fallback));
-            }
-        }
-        std::sort(
-            all.begin(), all.end(),
-            [](const auto& a, const auto& b) { return a.patch < b.patch; }
-        );
-    };
-    runOnMaster(exchange, unpackAll);
-    return all;
+    }
+    return here;
 }
 
 } // namespace
@@ -392,7 +342,8 @@ ParametrizationResult parametrize(
     runOnAllRanks(
         exchange, [&] { result.surface = joined(interface.mesh, patches, flats); }
     );
-    result.fallbacks = gatheredFallbacks(patches, flats, options.flattening, exchange);
+    result.fallbacks =
+        gathered(fallbacksOf(patches, flats, options.flattening), exchange);
     return result;
 }
 

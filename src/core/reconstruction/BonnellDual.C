@@ -324,7 +324,7 @@ ReconstructionResult BonnellDual::extract(const FlowSnapshot& snapshot) const
     {
         DualExtraction(complex, fractions, tets).run();
     }
-    return finish(tets, complex, fractions.volume, options_);
+    return finish(tets, complex, fractions, options_);
 }
 
 } // namespace Foam::stability

@@ -320,7 +320,7 @@ ReconstructionResult IsoAlpha::extract(const FlowSnapshot& snapshot) const
     {
         IsoAlphaExtraction(complex, fractions, ringsOf(options_)).cutInto(tets);
     }
-    ReconstructionResult result(finish(tets, complex, fractions.volume, options_));
+    ReconstructionResult result(finish(tets, complex, fractions, options_));
     if (options_.sharpening != Sharpening::none)
     {
         result.sharpening = sharpen(

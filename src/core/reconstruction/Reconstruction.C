@@ -2,6 +2,7 @@
 
 #include "core/reconstruction/Reconstruction.H"
 #include "core/base/Errors.H"
+#include "core/flow/VolumeFractions.H"
 #include "core/reconstruction/BonnellDual.H"
 #include "core/reconstruction/GivenInterface.H"
 #include "core/reconstruction/InterfaceOrder.H"
@@ -110,13 +111,13 @@ std::unique_ptr<Reconstruction> Reconstruction::New(const ReconstructionOptions&
 }
 
 ReconstructionResult Reconstruction::finish(
-    MarchingTets& tets, const CellComplex& complex, const ExactSum& alphaVolume,
+    MarchingTets& tets, const CellComplex& complex, const VolumeFractions& fractions,
     const ReconstructionOptions& options
 )
 {
     ReconstructionResult result;
-    result.alphaVolume = alphaVolume;
-    result.volume = tets.volume().value_or(alphaVolume);
+    result.alphaVolume = fractions.volume;
+    result.volume = tets.volume().value_or(fractions.volume);
     result.mesh = tets.takeMesh();
     orderByCells(result.mesh);
     if (options.smooth > 0)

@@ -5,6 +5,34 @@
 namespace Foam::stability
 {
 
+std::vector<char>
+markRings(const CellComplex& complex, std::vector<label> cells, label nRings)
+{
+    std::vector<char> marks(complex.nCells(), 0);
+    for (const label celli : cells)
+    {
+        marks[celli] = 1;
+    }
+    std::vector<label> next;
+    for (label ring = 0; ring < nRings; ++ring)
+    {
+        next.clear();
+        for (const label celli : cells)
+        {
+            for (const label other : complex.pointNeighbours(celli))
+            {
+                if (!marks[other])
+                {
+                    marks[other] = 1;
+                    next.push_back(other);
+                }
+            }
+        }
+        cells.swap(next);
+    }
+    return marks;
+}
+
 ComponentCells::ComponentCells(const InterfaceMesh& mesh, const CellComplex& complex)
     : mesh_(mesh), complex_(complex), marks_(complex.nCells(), 0),
       visits_(complex.nCells(), -1)

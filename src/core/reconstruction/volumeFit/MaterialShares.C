@@ -82,29 +82,12 @@ private:
     // The cells around those of the region, which are still the cut ones alone.
     void findNear()
     {
-        near_.assign(complex_.nCells(), 0);
-        std::vector<label> front, next;
+        std::vector<label> cut;
         for (const RegionCell& here : region_)
         {
-            near_[here.cell] = 1;
-            front.push_back(here.cell);
+            cut.push_back(here.cell);
         }
-        for (label ring = 0; ring < reachOfShares; ++ring)
-        {
-            next.clear();
-            for (const label celli : front)
-            {
-                for (const label other : complex_.pointNeighbours(celli))
-                {
-                    if (!near_[other])
-                    {
-                        near_[other] = 1;
-                        next.push_back(other);
-                    }
-                }
-            }
-            front.swap(next);
-        }
+        near_ = markRings(complex_, std::move(cut), reachOfShares);
     }
 
     void addCell(label celli)
