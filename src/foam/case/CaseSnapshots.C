@@ -33,17 +33,30 @@ label nRings(const TrackerOptions& tracker)
     return n;
 }
 
-void refuseFiles(const CaseOptions& options)
+// What does not know of two-dimensional meshes and wedges yet.
+void refuseOnSection(const CaseOptions& options, const TrackerOptions& tracker)
 {
-    for (const FilesFrom& files : options.files)
+    const auto refuseIf = [](bool given, const std::string& what)
     {
-        if (!files.pattern.empty())
+        if (given)
         {
             throw BadInput(
-                "The reconstruction fromFiles works on three-dimensional meshes only; "
-                "this one is two-dimensional or a wedge."
+                what
+                + " works on three-dimensional meshes only; this one is "
+                  "two-dimensional "
+                  "or a wedge."
             );
         }
+    };
+    for (const FilesFrom& files : options.files)
+    {
+        refuseIf(!files.pattern.empty(), "The reconstruction fromFiles");
+    }
+    const std::string fit = "The entry 'volumeFit component'";
+    refuseIf(tracker.reconstruction.volumeFit != VolumeFit::none, fit);
+    for (const ReconstructionFrom& later : tracker.later)
+    {
+        refuseIf(later.reconstruction.volumeFit != VolumeFit::none, fit);
     }
 }
 
@@ -63,7 +76,7 @@ CaseSnapshots::CaseSnapshots(
 {
     if (cells_->section())
     {
-        refuseFiles(options);
+        refuseOnSection(options, tracker);
     }
 }
 
