@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Says where two runs differ that must not; nothing if they are the same.
 
-    sameClasses.py BEFORE AFTER [--tables RELATIVE]
+    sameClasses.py BEFORE AFTER [--tables RELATIVE | --areas RELATIVE]
 
 compares folders of results: the arrays `stability` and `cellSize` of both surfaces, value
-by value, and the areas of stability.dat. With --tables the areas alone, to this accuracy.
+by value, and the areas of stability.dat, with --areas to this accuracy. With --tables the
+areas alone, to this accuracy.
 
     sameClasses.py --convert stl|obj FOLDER
 
@@ -63,12 +64,13 @@ def convert(name, folder):
 parser = argparse.ArgumentParser()
 parser.add_argument("folders", nargs="+")
 parser.add_argument("--tables", type=float)
+parser.add_argument("--areas", type=float, default=1e-12)
 parser.add_argument("--convert", choices=["stl", "obj"])
 arguments = parser.parse_args()
 if arguments.convert:
     convert(arguments.convert, arguments.folders[0])
 else:
     runs = [Run(folder) for folder in arguments.folders]
-    compare_areas(*runs, arguments.tables or 1e-12)
+    compare_areas(*runs, arguments.tables or arguments.areas)
     if not arguments.tables:
         compare_classes(*runs)
