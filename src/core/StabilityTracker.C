@@ -8,6 +8,7 @@
 #include "core/ranks/ExactSum.H"
 #include "core/reconstruction/NoiseFloor.H"
 #include "core/surface/pieces/SharedPoints.H"
+#include "core/surface/pieces/TornEdges.H"
 
 #include <algorithm>
 #include <sstream>
@@ -228,6 +229,12 @@ void StabilityTracker::compare(const Extracted& extracted)
     std::optional<ScopedTimer> watch(timings_.matching);
     timeSurface_.collectPoints(complex(), exchange_);
     Comparison comparison(setting(), extracted.piece, timeSurface_);
+    const ReconstructionMethod& method =
+        reconstructionMethod(settings_[activeSettings()].reconstruction.method);
+    if (method.sharesPoints && !method.readsFiles)
+    {
+        result_.nTornEdges = tornEdges(comparison.interface(), exchange_);
+    }
     comparison.match();
     watch.emplace(timings_.reconstruction);
     estimateNoiseFloor(extracted, comparison.interface());
@@ -310,16 +317,6 @@ void StabilityTracker::reseedTimeSurface(bool begins)
     }
 }
 
-// Confidence: how far each class is from being decided by noise.
-void StabilityTracker::computeConfidence()
-{
-    for (ClassifiedSurface* surface : {&result_.interface, &result_.timeSurface})
-    {
-        surface->confidence =
-            confidences(*surface, result_.epsilon, result_.statistics.noiseFloor);
-    }
-}
-
 const Classification& StabilityTracker::classify()
 {
     result_ = Classification();
@@ -338,7 +335,11 @@ const Classification& StabilityTracker::classify()
     compare(extracted);
     computeStatistics(extracted);
     reseedTimeSurface(begins);
-    computeConfidence();
+    for (ClassifiedSurface* surface : {&result_.interface, &result_.timeSurface})
+    {
+        surface->confidence =
+            confidences(*surface, result_.epsilon, result_.statistics.noiseFloor);
+    }
     result_.droplets = gatheredDroplets(result_.droplets, exchange_);
 
     lastClassified_ = latest_->time;

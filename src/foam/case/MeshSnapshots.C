@@ -75,9 +75,9 @@ scalarField faceValues(const surfaceScalarField& field)
 } // namespace
 
 MeshSnapshots::MeshSnapshots(
-    const fvMesh& mesh, const RankMessages& messages, label nRings
+    const fvMesh& mesh, const RankMessages& messages, const FetchReach& reach
 )
-    : messages_(messages), cells_(mesh, messages, nRings)
+    : messages_(messages), cells_(mesh, messages, reach)
 {
 }
 

@@ -3,7 +3,6 @@
 #include "foam/ranks/RankCells.H"
 
 #include "core/cells/HomeNumbers.H"
-#include "core/cells/RingFetch.H"
 #include "foam/errors/Failures.H"
 #include "emptyPolyPatch.H"
 #include "globalMeshData.H"
@@ -124,7 +123,9 @@ labelList globalNumbers(const globalIndex& numbers)
 
 } // namespace
 
-RankCells::RankCells(const fvMesh& mesh, const RankMessages& messages, label nRings)
+RankCells::RankCells(
+    const fvMesh& mesh, const RankMessages& messages, const FetchReach& reach
+)
     : messages_(messages), nOwn_(mesh.nCells()), cellNumbers_(mesh.nCells()),
       boundaryNumbers_(mesh.nFaces() - mesh.nInternalFaces())
 {
@@ -134,8 +135,8 @@ RankCells::RankCells(const fvMesh& mesh, const RankMessages& messages, label nRi
     WholeMesh whole(wholeOf(own, messages));
     whole.images = images_;
     CellComplexInput all(assemble(
-        fetchRings(own, images_.get(), messages, alone ? 0 : nRings), own.patchNames,
-        whole
+        fetchRings(own, images_.get(), messages, alone ? FetchReach(0) : reach),
+        own.patchNames, whole
     ));
     labelList realCells(all.globalCells);
     if (images_)

@@ -2,6 +2,8 @@
 
 #include "core/reconstruction/sharpening/FaceSmoothing.H"
 
+#include <cmath>
+
 namespace Foam::stability
 {
 
@@ -22,7 +24,7 @@ scalarField smoothedOverFaces(const CellComplex& complex, const scalarField& alp
     return sums;
 }
 
-scalar smoothedSquare(const CellComplex& complex, label celli, scalar size)
+scalar smoothedSquare(const CellComplex& complex, label celli, const CellFrame& frame)
 {
     scalar squares = 0;
     for (const label facei : complex.cellFaces()[celli])
@@ -32,12 +34,14 @@ scalar smoothedSquare(const CellComplex& complex, label celli, scalar size)
             const label other = complex.owner()[facei] == celli
                                     ? complex.neighbour()[facei]
                                     : complex.owner()[facei];
-            squares +=
-                magSqr(complex.cellCentres()[other] - complex.cellCentres()[celli]);
+            squares += magSqr(
+                frame.local(complex.cellCentres()[other] - complex.cellCentres()[celli])
+            );
         }
     }
     const scalar neighbours = 0.5 * squares / complex.cellFaces()[celli].size() / 3;
-    return (sqr(complex.cellSizes()[celli]) / 12 + neighbours) / sqr(size);
+    const scalar share = complex.cellVolumes()[celli] / frame.volume;
+    return std::cbrt(sqr(share)) / 12 + neighbours;
 }
 
 } // namespace Foam::stability
