@@ -4,6 +4,11 @@
 
 #include "core/base/Errors.H"
 
+#include "ListOps.H"
+#include "DynamicList.H"
+#include "pointFieldFwd.H"
+
+#include <algorithm>
 #include <cstdint>
 
 namespace Foam::stability
@@ -17,6 +22,32 @@ constexpr scalar roundOff = 1e-7;   // of the size of the mesh: points that are 
 constexpr std::size_t mostMotions = 20000;
 constexpr std::size_t mostSectors = 300;
 constexpr std::size_t nextTo = 3; // factors of the motions between neighbours
+
+// The axis of a rotation: its direction, of length 1, and a point on it.
+struct Axis
+{
+    vector direction;
+    point place;
+};
+
+// A point x on the axis stays in its plane: x - R x is the shift across the axis.
+Axis axisOf(const RigidMotion& motion)
+{
+    const tensor& R = motion.rotation;
+    vector a(R.zy() - R.yz(), R.xz() - R.zx(), R.yx() - R.xy());
+    if (mag(a) < 1e-6) // half a turn: R + I is twice the projection onto the axis
+    {
+        for (const vector& column :
+             {R.cx() + vector(1, 0, 0), R.cy() + vector(0, 1, 0),
+              R.cz() + vector(0, 0, 1)})
+        {
+            a = mag(column) > mag(a) ? column : a;
+        }
+    }
+    a /= mag(a);
+    const vector across = motion.shift - (motion.shift & a) * a;
+    return {a, inv(tensor::I - R + a * a) & across};
+}
 
 } // namespace
 
@@ -149,6 +180,88 @@ label PeriodicImages::nNearby() const
 label PeriodicImages::inverse(label image) const
 {
     return image == 0 ? 0 : indexOf(motions_[image].inverse());
+}
+
+label PeriodicImages::representative(const UList<label>& images) const
+{
+    label chosen = images[0];
+    labelList least;
+    for (const label image : images)
+    {
+        labelList others(images.size()); // as seen from this one
+        forAll(images, i)
+        {
+            others[i] = product(inverse(image), images[i]);
+        }
+        Foam::sort(others);
+        if (least.empty()
+            || std::lexicographical_compare(
+                others.begin(), others.end(), least.begin(), least.end()
+            ))
+        {
+            chosen = image;
+            least = others;
+        }
+    }
+    return chosen;
+}
+
+// F must not see shifts: A vanishes along them, and along what rotations make of them.
+std::optional<PeriodicImages::LinearField> PeriodicImages::invariantField() const
+{
+    constexpr scalar same = 1e-6;
+    const scalar length = 0.5 * mag(corners_.last() - corners_.first());
+    std::optional<Axis> axis;
+    DynamicList<vector> shifts; // as shares of `length`
+    for (const RigidMotion& motion : generators_)
+    {
+        vector shift = motion.shift / length;
+        if (mag(motion.rotation - tensor::I) > same)
+        {
+            const Axis other(axisOf(motion));
+            axis = axis ? axis : other;
+            if (mag(other.direction ^ axis->direction) > same
+                || mag((other.place - axis->place) ^ axis->direction) > same * length)
+            {
+                return std::nullopt;
+            }
+            shift = (shift & other.direction) * other.direction;
+        }
+        shifts.append(shift);
+    }
+    DynamicList<vector> blind; // orthonormal
+    const auto add = [&](vector v)
+    {
+        for (const vector& b : blind)
+        {
+            v -= (v & b) * b;
+        }
+        if (mag(v) > same)
+        {
+            blind.append(v / mag(v));
+        }
+    };
+    for (const vector& shift : shifts)
+    {
+        add(shift);
+        for (const RigidMotion& motion : generators_)
+        {
+            add(motion.turned(shift));
+        }
+    }
+    if (blind.size() == 3)
+    {
+        return std::nullopt;
+    }
+    LinearField field;
+    field.A = tensor::I;
+    for (const vector& b : blind)
+    {
+        field.A -= b * b;
+    }
+    field.A /= tr(field.A);
+    field.centre = axis ? axis->place : sum(corners_) / corners_.size();
+    return field;
 }
 
 label PeriodicImages::number(label real, label image, label n)

@@ -27,11 +27,50 @@ constexpr label opposite[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 constexpr label pairFirst[6][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2},
                                    {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}};
 
+std::optional<PeriodicImages::LinearField> fieldOf(const WholeMesh& whole)
+{
+    if (whole.images)
+    {
+        return whole.images->invariantField();
+    }
+    PeriodicImages::LinearField field;
+    field.centre = whole.bounds.centre();
+    return field;
+}
+
 } // namespace
 
 MarchingTets::MarchingTets(const CellComplex& complex, scalar margin)
-    : complex_(complex), margin_(margin)
+    : complex_(complex), margin_(margin), field_(fieldOf(complex.whole()))
 {
+}
+
+// The lowest of the cells, or, where several images of it are among them, the one that
+// each image of the tetrahedron chooses alike.
+label MarchingTets::homeOf(const UList<label>& cells) const
+{
+    const label lowest = min(cells);
+    const PeriodicImages* images = complex_.whole().images.get();
+    if (!images)
+    {
+        return lowest;
+    }
+    const auto realCell = [&](label celli)
+    { return images->realCell(complex_.globalCell(celli)); };
+    DynamicList<label, 8> numbers;
+    for (const label celli : cells)
+    {
+        if (realCell(celli) == realCell(lowest)
+            && !numbers.found(complex_.image(celli)))
+        {
+            numbers.append(complex_.image(celli));
+        }
+    }
+    return numbers.size() == 1
+               ? lowest
+               : complex_.localCell(
+                   images->cell(realCell(lowest), images->representative(numbers))
+               );
 }
 
 // The place at which the value is 1/2, as a share of the way from the inside end of the
@@ -90,7 +129,7 @@ PointName MarchingTets::nameOf(const edge& cut) const
 
 void MarchingTets::cut(const FixedList<Vertex, 4>& tet, const UList<label>& cells)
 {
-    lowestCell_ = min(cells);
+    home_ = homeOf(cells);
     FixedList<bool, 4> in;
     label nIn = 0;
     for (label i = 0; i < 4; ++i)
@@ -166,7 +205,7 @@ label MarchingTets::cutEdge(
 void MarchingTets::addTriangle(label a, label b, label c)
 {
     triangles_.append(triFace(a, b, c));
-    triangleCells_.append(lowestCell_);
+    triangleCells_.append(home_);
 }
 
 void MarchingTets::addQuad(const FixedList<label, 4>& q)
@@ -205,7 +244,9 @@ void MarchingTets::close(const FixedList<Vertex, 3>& triangle, label facei)
     {
         nIn += inside(v);
     }
-    scalar share = nIn == 3 ? 1 : 0;
+    FixedList<point, 3> corners{
+        triangle[0].position, triangle[1].position, triangle[2].position};
+    scalar flux = nIn > 1 ? fluxThrough(corners, facei) : 0;
     if (nIn == 1 || nIn == 2)
     {
         label lone = 0;
@@ -213,35 +254,46 @@ void MarchingTets::close(const FixedList<Vertex, 3>& triangle, label facei)
         {
             ++lone;
         }
-        share = 1; // of the area, at the lone corner
-        for (label k = 1; k < 3; ++k)
+        const Vertex& tip = triangle[lone];
+        for (const label k : {(lone + 1) % 3, (lone + 2) % 3})
         {
-            const Vertex& corner = triangle[lone];
-            const Vertex& other = triangle[(lone + k) % 3];
-            const Vertex& in = nIn == 1 ? corner : other;
-            const Vertex& out = nIn == 1 ? other : corner;
+            const Vertex& in = nIn == 1 ? tip : triangle[k];
+            const Vertex& out = nIn == 1 ? triangle[k] : tip;
             const scalar t = cutShare(in, out);
-            share *= nIn == 1 ? t : 1 - t;
+            corners[k] =
+                tip.position
+                + (nIn == 1 ? t : 1 - t) * (triangle[k].position - tip.position);
             markBoundary(in, out, boundaryFacei);
         }
-        share = nIn == 1 ? share : 1 - share;
+        flux += (nIn == 1 ? 1 : -1) * fluxThrough(corners, facei);
     }
-    if (!complex_.own(complex_.owner()[facei]))
-    {
-        return;
-    }
-    const point& a = triangle[0].position;
-    const vector area = 0.5 * ((triangle[1].position - a) ^ (triangle[2].position - a));
-    boundaryFlux_ += share * ((a - complex_.whole().bounds.centre()) & area);
+    boundaryFlux_ += flux;
 }
 
 void MarchingTets::closeWhole(label facei)
 {
-    const vector arm = complex_.faceCentres()[facei] - complex_.whole().bounds.centre();
-    if (complex_.own(complex_.owner()[facei]))
+    const face& f = complex_.faces()[facei];
+    forAll(f, k)
     {
-        boundaryFlux_ += arm & complex_.faceAreas()[facei];
+        boundaryFlux_ += fluxThrough(
+            {complex_.faceCentres()[facei], complex_.points()[f[k]],
+             complex_.points()[f.nextLabel(k)]},
+            facei
+        );
     }
+}
+
+// Zero where the face is not this rank's.
+scalar MarchingTets::fluxThrough(const FixedList<point, 3>& corners, label facei) const
+{
+    return field_ && complex_.own(complex_.owner()[facei])
+               ? fluxThrough(corners[0], corners[1], corners[2])
+               : 0;
+}
+
+scalar MarchingTets::fluxThrough(const point& a, const point& b, const point& c) const
+{
+    return (*field_)((a + b + c) / 3) & (0.5 * ((b - a) ^ (c - a)));
 }
 
 // The lowest face, so that the order of the visits does not matter.
@@ -257,23 +309,22 @@ void MarchingTets::markBoundary(
     }
 }
 
-scalar MarchingTets::volume() const
+std::optional<scalar> MarchingTets::volume() const
 {
-    const point origin = complex_.whole().bounds.centre();
+    if (!field_)
+    {
+        return std::nullopt;
+    }
     scalar flux = boundaryFlux_;
     forAll(triangles_, trianglei)
     {
-        if (!complex_.own(triangleCells_[trianglei]))
+        if (complex_.own(triangleCells_[trianglei]))
         {
-            continue;
+            const triFace& t = triangles_[trianglei];
+            flux += fluxThrough(points_[t[0]], points_[t[1]], points_[t[2]]);
         }
-        const triFace& t = triangles_[trianglei];
-        const vector a = points_[t[0]] - origin;
-        const vector b = points_[t[1]] - origin;
-        const vector c = points_[t[2]] - origin;
-        flux += 0.5 * (a & (b ^ c));
     }
-    return flux / 3;
+    return flux;
 }
 
 InterfaceMesh MarchingTets::takeMesh()

@@ -136,7 +136,7 @@ ReconstructionResult Reconstruction::finish(
 {
     ReconstructionResult result;
     result.alphaVolume = alphaVolume;
-    result.volume = tets.volume();
+    result.volume = tets.volume().value_or(alphaVolume);
     result.mesh = tets.takeMesh();
     orderByCells(result.mesh);
     if (options.smooth > 0)

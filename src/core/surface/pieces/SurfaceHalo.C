@@ -52,7 +52,7 @@ SurfaceHalo::SurfaceHalo(
     const SurfacePiece& owned, const VoxelMask& wanted, const Exchange& exchange,
     const PeriodicImages* images
 )
-    : exchange_(exchange), nOwnedPoints_(owned.mesh.points.size()),
+    : exchange_(exchange), images_(images), nOwnedPoints_(owned.mesh.points.size()),
       nOwnedTriangles_(owned.mesh.triangles.size()), sent_(exchange.nRanks())
 {
     std::vector<SurfacePiece> parts{owned};
@@ -175,17 +175,45 @@ List<bool> SurfaceHalo::ownTriangles() const
     return own;
 }
 
+// Triangles of a cell may meet a point in several of their images: then the point
+// counts in the one that is the same for all images of the point.
 List<bool> SurfaceHalo::primaryPoints() const
 {
-    List<bool> result(mesh().points.size(), false);
-    List<bool> met(mesh().points.size(), false);
+    const List<TriangleKey>& keys = piece().keys;
+    labelList first(mesh().points.size(), -1);
+    std::map<label, DynamicList<label>> several; // images, by points
     forAll(mesh().triangles, trianglei)
     {
         for (const label pointi : mesh().triangles[trianglei])
         {
-            result[pointi] = met[pointi] ? result[pointi] : isOwn(trianglei);
-            met[pointi] = true;
+            if (first[pointi] < 0)
+            {
+                first[pointi] = trianglei;
+                continue;
+            }
+            const TriangleKey& lowest = keys[first[pointi]];
+            const TriangleKey& key = keys[trianglei];
+            if (images_ && key.where == lowest.where && key.image != lowest.image)
+            {
+                DynamicList<label>& images = several[pointi];
+                for (const label image : {lowest.image, key.image})
+                {
+                    if (!images.found(image))
+                    {
+                        images.append(image);
+                    }
+                }
+            }
         }
+    }
+    List<bool> result(first.size(), false);
+    forAll(result, pointi)
+    {
+        result[pointi] = first[pointi] >= 0 && isOwn(first[pointi]);
+    }
+    for (const auto& [pointi, images] : several)
+    {
+        result[pointi] = result[pointi] && images_->representative(images) == 0;
     }
     return result;
 }

@@ -122,4 +122,54 @@ TEST(PeriodicImages, labelsThatAreTooShort)
     EXPECT_THROW(images.cell(2, 2), BadInput);
 }
 
+// Of a cell and its images one is chosen, the same where all are moved alike.
+TEST(PeriodicImages, theRepresentativeMovesAlong)
+{
+    const PeriodicImages images(
+        {shiftBy(vector(2, 0, 0)), shiftBy(vector(0, 3, 0))}, box, nCells, nPoints
+    );
+    const labelList some{
+        0, images.indexOf(shiftBy(vector(2, 0, 0))),
+        images.indexOf(shiftBy(vector(2, 3, 0)))};
+    const label chosen = images.representative(some);
+    for (label by = 0; by < images.nNearby(); ++by)
+    {
+        labelList moved(some.size());
+        forAll(some, i)
+        {
+            moved[some.size() - 1 - i] = images.product(by, some[i]);
+        }
+        EXPECT_EQ(images.representative(moved), images.product(by, chosen)) << by;
+    }
+}
+
+// Its divergence is 1, and motions map it onto itself.
+TEST(PeriodicImages, invariantFields)
+{
+    const RigidMotion along = shiftBy(vector(0, 0, 4));
+    const RigidMotion turn = turnBy(M_PI / 3, point(0.3, 0.2, 0));
+    const RigidMotion halfTurn = turnBy(M_PI, point(0.3, 0.2, 0));
+    const std::vector<std::vector<RigidMotion>> all{
+        {along},    {along, shiftBy(vector(1, 3, 0))},
+        {turn},     {turn, along},
+        {halfTurn}, {turn * along}};
+    for (const std::vector<RigidMotion>& generators : all)
+    {
+        const PeriodicImages images(generators, box, nCells, nPoints);
+        const auto field = images.invariantField();
+        ASSERT_TRUE(field);
+        EXPECT_NEAR(tr(field->A), 1, 1e-12);
+        const point x(0.7, -1.1, 2.3);
+        for (const RigidMotion& motion : generators)
+        {
+            EXPECT_LT(mag((*field)(motion(x)) - motion.turned((*field)(x))), 1e-12);
+        }
+    }
+    const PeriodicImages everywhere(
+        {shiftBy(vector(2, 0, 0)), shiftBy(vector(0, 3, 0)), along}, box, nCells,
+        nPoints
+    );
+    EXPECT_FALSE(everywhere.invariantField());
+}
+
 } // namespace Foam::stability

@@ -46,7 +46,7 @@ Outcome march(const std::array<Vertex, 4>& v)
     {
         tets.close({v[s[0]], v[s[1]], v[s[2]]}, complex->nInternalFaces() + 3);
     }
-    const scalar volume = tets.volume();
+    const scalar volume = *tets.volume();
     return {tets.takeMesh(), volume};
 }
 

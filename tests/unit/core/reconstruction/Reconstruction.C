@@ -4,7 +4,10 @@
 
 #include "core/reconstruction/Reconstruction.H"
 #include "core/base/Errors.H"
+#include "core/ranks/Exchange.H"
+#include "core/surface/pieces/SurfaceHalo.H"
 #include "shapes/ExactAlpha.H"
+#include "shapes/PeriodicBox.H"
 #include "shapes/PolyMeshes.H"
 #include "shapes/SurfaceChecks.H"
 
@@ -382,4 +385,86 @@ TEST(Reconstruction, unknownNamesAreAnsweredWithTheKnownOnes)
     options = ReconstructionOptions();
     options.smooth = -1;
     EXPECT_THROW(Reconstruction::New(options), BadInput);
+}
+
+namespace
+{
+
+struct Layers
+{
+    scalar area = 0, volume = 0; // [m2] and [m3] per layer
+    scalar pointArea = 0;        // [m2] per layer, summed over the points
+};
+
+// The points have the areas of the triangles around them, of which some are images.
+scalar sumOfPointAreas(const InterfaceMesh& mesh, const CellComplex& complex)
+{
+    SurfacePiece owned;
+    keepOwn(owned, mesh, complex);
+    VoxelMask near(0.1);
+    for (const point& x : owned.mesh.points)
+    {
+        near.add(x, 0.2);
+    }
+    const SerialExchange alone;
+    const SurfaceHalo halo(owned, near, alone, complex.whole().images.get());
+    const scalarField areas(halo.mesh().pointAreas());
+    const List<bool> isPrimary(halo.primaryPoints());
+    scalar sum = 0;
+    forAll(areas, pointi)
+    {
+        sum += isPrimary[pointi] ? areas[pointi] : 0;
+    }
+    return sum;
+}
+
+// A cylinder along x in layers of cells between cyclic patches.
+Layers inLayers(const std::string& method, label nLayers)
+{
+    shapes::BoxOptions options;
+    options.n = Vector<label>(nLayers, 12, 12);
+    options.max.x() = nLayers / 12.;
+    const auto complex = shapes::withRings(
+        shapes::periodicPiece(
+            shapes::boxInput(options), {shapes::periodicInX(options)}
+        ),
+        6
+    );
+    const auto snapshot = shapes::periodicSnapshot(
+        complex, [](const point&, scalar) { return vector(Zero); }, 0,
+        [](const point& x)
+        {
+            const scalar distance = std::hypot(x.y() - 0.47, x.z() - 0.52) - 0.31;
+            return std::min(std::max(0.5 - 12 * distance, 0.), 1.);
+        }
+    );
+    const ReconstructionResult result = smoothed(*snapshot, method);
+    Layers layers{
+        0, result.volume / nLayers, sumOfPointAreas(result.mesh, *complex) / nLayers};
+    forAll(result.mesh.triangles, i)
+    {
+        const bool own = complex->own(result.mesh.triangleCells[i]);
+        layers.area += own ? mag(result.mesh.areaVector(i)) / nLayers : 0;
+    }
+    return layers;
+}
+
+} // namespace
+
+// A cell may be its own neighbour. Nothing counts twice, and volumes close.
+TEST(Reconstruction, anyNumberOfLayersBetweenCyclicPatches)
+{
+    for (const std::string method : {"isoAlpha", "bonnell"})
+    {
+        const Layers three = inLayers(method, 3);
+        EXPECT_NEAR(three.area, 2 * M_PI * 0.31 / 12, 0.1 / 12) << method;
+        EXPECT_NEAR(three.volume, M_PI * 0.31 * 0.31 / 12, 0.008 / 12) << method;
+        for (const label nLayers : {1, 2})
+        {
+            const Layers layers = inLayers(method, nLayers);
+            EXPECT_NEAR(layers.area, three.area, 1e-12) << method << nLayers;
+            EXPECT_NEAR(layers.volume, three.volume, 1e-13) << method << nLayers;
+            EXPECT_NEAR(layers.pointArea, layers.area, 1e-12) << method << nLayers;
+        }
+    }
 }
