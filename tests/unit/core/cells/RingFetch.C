@@ -205,8 +205,9 @@ TEST(RingFetch, goesOnWhereLargeCellsAreNear)
         EXPECT_TRUE(!near || (here >= 0 && complex->hasAllNeighbours(here)));
         nNear += near;
     }
-    // At least six thin cells and one thick one behind each end, in columns of 12.
-    EXPECT_GT(nNear, 2 * 7 * 12);
+    // Two rings are less, and lack the thick cells behind the thin ones.
+    EXPECT_GT(nNear, 2 * 3 * 12);
+    EXPECT_GT(complex->nCells(), shapes::withRings(piece, 2)->nCells() + 2 * 3 * 12);
     EXPECT_LT(complex->nCells(), wide->nCells());
 }
 

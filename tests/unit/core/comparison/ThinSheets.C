@@ -134,7 +134,7 @@ TEST(ThinSheets, sheetsInFlatCellsAreMeasuredInLayers)
         const SurfaceHalo halo(piece, VoxelMask(1), alone);
         const Components components(halo, point::zero, alone);
         const SmallScales scales(
-            smallScales(piece, halo, components, snapshot, Run{alone})
+            smallScales(piece, halo, components, snapshot, stability::Run{alone, 1})
         );
         EXPECT_GT(scales.thin.size(), 100);
         return scalar(std::count(scales.thin.begin(), scales.thin.end(), true))
