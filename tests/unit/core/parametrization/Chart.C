@@ -199,15 +199,15 @@ TEST(Chart, IsEmptyWhereNothingHelps)
     EXPECT_TRUE(chart.parameters.empty());
 }
 
-// CGAL's LSCM checks that triangles have edges and areas; Tutte's method needs neither.
-TEST(Chart, fallsBackWhereACheckOfCgalFails)
+// LSCM needs triangles that have edges and areas; Tutte's method needs neither.
+TEST(Chart, fallsBackWhereATriangleIsFlat)
 {
     PlainSurface surface = openCylinder(1, 1, 90, 4, 2);
     const triFace t = surface.triangles[5];
     surface.points[t[1]] = surface.points[t[0]];
     const Chart chart = makeChart(surface, *Flattening::New("lscm"));
     EXPECT_TRUE(chart.fallback);
-    EXPECT_NE(chart.failure.find("check"), std::string::npos) << chart.failure;
+    EXPECT_FALSE(chart.failure.empty());
     ASSERT_FALSE(chart.parameters.empty());
     expectOneToOne(surface, chart);
 }

@@ -126,7 +126,7 @@ TEST(RibbonChart, rowsDoNotOverlap)
             const vector2D size(rows.scale * lengths[i], rows.height);
             const vector2D low = rows.corners[i], high = low + size;
             EXPECT_GT(low.x(), 0);
-            EXPECT_GT(low.y(), BlackSwatch::size);
+            EXPECT_GT(low.y(), Swatches::size);
             EXPECT_LT(high.x(), 1);
             EXPECT_LT(high.y(), 1);
             for (label j = 0; j < i; ++j)
