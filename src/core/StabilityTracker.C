@@ -8,6 +8,7 @@
 #include "core/ranks/ExactSum.H"
 #include "core/reconstruction/NoiseFloor.H"
 #include "core/surface/Ribbon.H"
+#include "core/surface/pieces/TornEdges.H"
 
 #include <algorithm>
 #include <sstream>
@@ -190,6 +191,12 @@ void StabilityTracker::compare(const ExtractedSurface& extracted)
     Comparison comparison(
         starts ? settingOfCopy() : setting(), extracted.piece, timeSurface_
     );
+    const ReconstructionMethod& method =
+        reconstructionMethod(settings_[activeSettings()].reconstruction.method);
+    if (method.sharesPoints && !method.readsFiles)
+    {
+        result_.nTornEdges = tornEdges(comparison.interface(), exchange_);
+    }
     comparison.match();
     watch.emplace(timings_.reconstruction);
     estimateNoiseFloor(extracted, comparison.interface());
@@ -261,16 +268,6 @@ void StabilityTracker::reseedTimeSurface(const ClassifiedSurface& interface)
     timeSurface_.seed(piece, marks, latest_->time, complex(), exchange_);
 }
 
-// Confidence: how far each class is from being decided by noise.
-void StabilityTracker::computeConfidence()
-{
-    for (ClassifiedSurface* surface : {&result_.interface, &result_.timeSurface})
-    {
-        surface->confidence =
-            confidences(*surface, result_.epsilon, result_.statistics.noiseFloor);
-    }
-}
-
 const Classification& StabilityTracker::classify()
 {
     result_ = Classification();
@@ -297,7 +294,11 @@ const Classification& StabilityTracker::classify()
         begins && nClassified_ > 0 ? appearedInterface(extracted.piece)
                                    : result_.interface
     );
-    computeConfidence();
+    for (ClassifiedSurface* surface : {&result_.interface, &result_.timeSurface})
+    {
+        surface->confidence =
+            confidences(*surface, result_.epsilon, result_.statistics.noiseFloor);
+    }
     result_.droplets = gatheredDroplets(result_.droplets, exchange_);
 
     lastClassified_ = latest_->time;

@@ -2,8 +2,6 @@
 
 #include "shapes/MeshParts.H"
 
-#include "core/cells/RingFetch.H"
-
 #include <algorithm>
 #include <numeric>
 #include <random>
@@ -181,7 +179,7 @@ CellComplexInput MeshParts::own(label rank) const
 }
 
 std::shared_ptr<const CellComplex>
-MeshParts::part(const Exchange& exchange, label nRings) const
+MeshParts::part(const Exchange& exchange, const FetchReach& reach) const
 {
     WholeMesh whole(whole_->whole());
     whole.firstCells = labelList(exchange.nRanks() + 1, label(0));
@@ -194,7 +192,10 @@ MeshParts::part(const Exchange& exchange, label nRings) const
     );
     const bool alone = exchange.nRanks() == 1;
     CellComplexInput all(assemble(
-        fetchRings(own(exchange.rank()), nullptr, exchange, alone ? 0 : nRings),
+        fetchRings(
+            own(exchange.rank()), nullptr, exchange,
+            alone ? FetchReach(0) : reach.within(whole.section)
+        ),
         whole_->patchNames(), whole
     ));
     if (!alone)

@@ -140,7 +140,8 @@ PeriodicPiece periodicPiece(CellComplexInput box, const std::vector<CyclicPair>&
     return piece;
 }
 
-std::shared_ptr<const CellComplex> withRings(const PeriodicPiece& piece, label nRings)
+std::shared_ptr<const CellComplex>
+withRings(const PeriodicPiece& piece, const FetchReach& reach)
 {
     const SerialExchange exchange;
     const label nCells = piece.input.globalCells.size();
@@ -149,7 +150,7 @@ std::shared_ptr<const CellComplex> withRings(const PeriodicPiece& piece, label n
     whole.firstCells = labelList({0, nCells});
     whole.images = piece.images;
     CellComplexInput all(assemble(
-        fetchRings(piece.input, piece.images.get(), exchange, nRings),
+        fetchRings(piece.input, piece.images.get(), exchange, reach),
         piece.input.patchNames, whole
     ));
     all.own.setSize(all.globalCells.size());

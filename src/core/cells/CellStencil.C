@@ -2,11 +2,7 @@
 
 #include "core/cells/CellStencil.H"
 
-#include "symmTensor.H"
-#include "tensor.H"
-
 #include <algorithm>
-#include <cmath>
 
 namespace Foam::stability
 {
@@ -55,51 +51,6 @@ bool touchesBoundary(const CellComplex& complex, label celli)
         }
     }
     return false;
-}
-
-scalar spanOf(const CellComplex& complex, label celli)
-{
-    const WholeMesh& whole = complex.whole();
-    scalar farthest = 0;
-    for (const label facei : complex.cellFaces()[celli])
-    {
-        for (const label pointi : complex.faces()[facei])
-        {
-            farthest = std::max(
-                farthest, magSqr(whole.inPlane(
-                              complex.points()[pointi] - complex.cellCentres()[celli]
-                          ))
-            );
-        }
-    }
-    return 2 * std::sqrt(farthest / (whole.section ? 2 : 3));
-}
-
-vector gradientOver(
-    const CellComplex& complex, const UList<label>& cells, const scalarField& values,
-    scalar span
-)
-{
-    const point& origin = complex.cellCentres()[cells[0]];
-    vector meanX(Zero);
-    scalar meanValue = 0;
-    for (const label celli : cells)
-    {
-        meanX += complex.cellCentres()[celli] - origin;
-        meanValue += values[celli];
-    }
-    meanX /= cells.size();
-    meanValue /= cells.size();
-    symmTensor matrix(Zero);
-    vector moment(Zero);
-    for (const label celli : cells)
-    {
-        const vector d = (complex.cellCentres()[celli] - origin - meanX) / span;
-        matrix += sqr(d);
-        moment += (values[celli] - meanValue) * d;
-    }
-    matrix += 1e-6 * symmTensor(I);
-    return (inv(matrix) & moment) / span;
 }
 
 } // namespace Foam::stability

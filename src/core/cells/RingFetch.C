@@ -2,12 +2,14 @@
 
 #include "core/cells/RingFetch.H"
 
+#include "core/cells/CellNeeds.H"
 #include "core/cells/CellPackets.H"
 
 #include "Map.H"
 #include "boundBox.H"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 namespace Foam::stability
@@ -16,7 +18,7 @@ namespace Foam::stability
 namespace
 {
 
-// One ring after the other.
+// One ring after the other, then where more is needed.
 class RingFetch
 {
 public:
@@ -42,23 +44,36 @@ public:
             }
         }
         passages_.assign(passages.begin(), passages.end());
-        known_.insert(own.globalCells);
     }
 
-    std::vector<CellBlock> run(label nRings)
+    std::vector<CellBlock> run(const FetchReach& reach)
     {
-        blocks_.push_back(blockOf(own_, cellFaces_, identity(own_.globalCells.size())));
-        std::size_t first = 0;
-        for (label ring = 0; ring < nRings; ++ring)
+        const bool byDistance = reach.cells > 0;
+        add(blockOf(own_, cellFaces_, identity(own_.globalCells.size())));
+        if (byDistance)
         {
-            const std::size_t n = blocks_.size();
-            ask(first);
-            first = n;
+            needs_.emplace(own_, cellFaces_, reach);
         }
-        return std::move(blocks_);
+        for (label ring = 0;; ++ring)
+        {
+            const Map<point> wanted(wantedPoints());
+            if (ring >= reach.nRings
+                && (!byDistance || exchange_.total(wanted.size()) == 0))
+            {
+                return std::move(blocks_);
+            }
+            ask(wanted);
+        }
     }
 
 private:
+    // A face of a block behind which no cell is known.
+    struct RimFace
+    {
+        std::size_t block;
+        label facei, cellBehind;
+    };
+
     // The own points of one point at home, and which of its images they are.
     using Places = DynamicList<labelPair, 4>;
 
@@ -126,15 +141,33 @@ private:
         );
     }
 
-    // Asks the ranks for the cells at the points of faces behind which no cell is
-    // known, in the blocks from this one on.
-    void ask(std::size_t first)
+    // The points of faces behind which no cell is known, where cells are needed, and
+    // their homes.
+    Map<point> wantedPoints()
     {
-        Map<point> homes;
-        for (std::size_t i = first; i < blocks_.size(); ++i)
+        Map<point> wanted;
+        DynamicList<RimFace> left;
+        for (const RimFace& f : rim_)
         {
-            addRim(blocks_[i], homes);
+            if (!known_.found(f.cellBehind))
+            {
+                left.append(f);
+                for (const label pointi : blocks_[f.block].faces[f.facei])
+                {
+                    if (!needs_ || needs_->at(pointi) > 0)
+                    {
+                        wanted.insert(pointi, homes_[pointi]);
+                    }
+                }
+            }
         }
+        rim_.transfer(left);
+        return wanted;
+    }
+
+    // Asks the ranks for the cells at these points.
+    void ask(const Map<point>& homes)
+    {
         std::vector<DynamicList<label>> questions(exchange_.nRanks());
         for (const label pointi : homes.sortedToc())
         {
@@ -148,10 +181,15 @@ private:
             }
         }
         answer(exchange_.exchangeLists(questions));
+        if (needs_)
+        {
+            needs_->spread();
+        }
     }
 
-    void addRim(const CellBlock& block, Map<point>& homes) const
+    void add(CellBlock block)
     {
+        known_.insert(block.cells);
         Map<label> places(2 * block.pointIds.size());
         forAll(block.pointIds, i)
         {
@@ -162,12 +200,18 @@ private:
         {
             if (block.cellBehind[k] >= 0 && !known_.found(block.cellBehind[k]))
             {
+                rim_.append({blocks_.size(), k, block.cellBehind[k]});
                 for (const label pointi : block.faces[k])
                 {
-                    homes.insert(pointi, at[places[pointi]]);
+                    homes_.insert(pointi, at[places[pointi]]);
                 }
             }
         }
+        if (needs_)
+        {
+            needs_->add(block);
+        }
+        blocks_.push_back(std::move(block));
     }
 
     void answer(const std::vector<List<label>>& questions)
@@ -195,8 +239,7 @@ private:
             const label n = packet.empty() ? 0 : packet.get<label>();
             for (label i = 0; i < n; ++i)
             {
-                blocks_.push_back(unpacked(packet));
-                known_.insert(blocks_.back().cells);
+                add(unpacked(packet));
             }
         }
     }
@@ -252,16 +295,19 @@ private:
     std::vector<boundBox> boxes_;
     labelHashSet known_; // cells
     std::vector<CellBlock> blocks_;
+    DynamicList<RimFace> rim_;
+    Map<point> homes_;               // of the points of rim_
+    std::optional<CellNeeds> needs_; // where the fetch goes on by distance
 };
 
 } // namespace
 
 std::vector<CellBlock> fetchRings(
     const CellComplexInput& own, const PeriodicImages* images, const Exchange& exchange,
-    label nRings
+    const FetchReach& reach
 )
 {
-    return RingFetch(own, images, exchange).run(nRings);
+    return RingFetch(own, images, exchange).run(reach);
 }
 
 } // namespace Foam::stability

@@ -2,11 +2,13 @@
 
 #include "core/comparison/SmallScales.H"
 
+#include "core/cells/CellFrame.H"
 #include "core/comparison/ThinSheets.H"
 #include "core/ranks/ExactSum.H"
 #include "core/flow/FractionsAround.H"
 
 #include <algorithm>
+#include <cmath>
 
 namespace Foam::stability
 {
@@ -16,6 +18,31 @@ namespace
 
 constexpr scalar around = 4; // [cells], of what a droplet is judged by
 constexpr label nRings = 6;
+
+// The extents of the cells of the points along their normals [m]: of round cells, and
+// of those that are not known here, their sizes. What is farther than three cells is
+// not searched for.
+scalarField extentsAt(const InterfaceMesh& mesh, const CellComplex& complex)
+{
+    constexpr scalar farthest = 3 / thinnestResolved;
+    scalarField extents(mesh.cellSizes);
+    const vectorField normals(mesh.pointNormals());
+    forAll(extents, pointi)
+    {
+        const label celli = complex.localCell(mesh.cells[pointi]);
+        if (celli >= 0)
+        {
+            const CellFrame frame(frameOf(complex, celli));
+            const scalar size = std::cbrt(frame.volume);
+            const scalar flatness = frame.along(normals[pointi]) / size;
+            if (mag(flatness - 1) > 1e-9)
+            {
+                extents[pointi] *= std::min(flatness, farthest);
+            }
+        }
+    }
+    return extents;
+}
 
 List<bool> smallTriangles(
     const SurfacePiece& owned, const Components& components, const WholeMesh& mesh
@@ -198,7 +225,13 @@ SmallScales smallScales(
 {
     SmallScales scales;
     runOnAllRanks(
-        run.ranks, [&] { scales.thin = thinPoints(halo.mesh(), run.nThreads); }
+        run.ranks,
+        [&]
+        {
+            scales.thin = thinPoints(
+                halo.mesh(), extentsAt(halo.mesh(), *snapshot->complex), run.nThreads
+            );
+        }
     );
     scales.droplets = dropletsAtHome(owned, components, snapshot, run.ranks);
     const List<bool> triangles(ofDroplets(

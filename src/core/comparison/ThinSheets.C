@@ -34,7 +34,8 @@ bool meets(
 
 } // namespace
 
-List<bool> thinPoints(const InterfaceMesh& mesh, label nThreads)
+List<bool>
+thinPoints(const InterfaceMesh& mesh, const scalarField& extents, label nThreads)
 {
     List<bool> thin(mesh.points.size(), false);
     if (mesh.empty())
@@ -49,7 +50,7 @@ List<bool> thinPoints(const InterfaceMesh& mesh, label nThreads)
     {
         const point& x = mesh.points[pointi];
         const vector& normal = normals[pointi];
-        const vector arm = thinnestResolved * mesh.cellSizes[pointi] * normal;
+        const vector arm = thinnestResolved * extents[pointi] * normal;
         const vector halfWidth = cmptMag(arm);
         bool found = false;
         locator.visitWithin(

@@ -2,6 +2,7 @@
 
 #include "core/flow/VolumeFractions.H"
 #include "core/base/Errors.H"
+#include "core/cells/CellFrame.H"
 #include "symmTensor.H"
 #include "tensor.H"
 
@@ -28,6 +29,7 @@ scalarField clamped(const scalarField& alpha)
 // zero along a direction in which the cell has no neighbour.
 vector faceGradient(const CellComplex& complex, const scalarField& alpha, label celli)
 {
+    const CellFrame frame(frameOf(complex, celli));
     symmTensor matrix(Zero);
     vector moment(Zero);
     for (const label facei : complex.cellFaces()[celli])
@@ -37,16 +39,16 @@ vector faceGradient(const CellComplex& complex, const scalarField& alpha, label 
             const label other = complex.owner()[facei] == celli
                                     ? complex.neighbour()[facei]
                                     : complex.owner()[facei];
-            const vector d =
-                (complex.cellCentres()[other] - complex.cellCentres()[celli])
-                / complex.cellSizes()[celli];
+            const vector d = frame.local(
+                complex.cellCentres()[other] - complex.cellCentres()[celli]
+            );
             matrix += sqr(d);
             moment += (alpha[other] - alpha[celli]) * d;
         }
     }
     // A little of the unit matrix: a cell without neighbours along a direction.
     matrix += 1e-6 * symmTensor(I);
-    return (inv(matrix) & moment) / complex.cellSizes()[celli];
+    return frame.local(inv(matrix) & moment);
 }
 
 // Boundary values; those that are equal to the cell's (zero gradient) are extrapolated

@@ -144,7 +144,7 @@ private:
         }
         const pointField& x = complex_.points();
         return {
-            tets_.idOfMiddle(e), meanOfFaces(labelList(faces)),
+            tets_.vertices().ofMiddle(e), meanOfFaces(labelList(faces)),
             0.5 * (x[e.first()] + x[e.second()])};
     }
 

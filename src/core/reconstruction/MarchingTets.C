@@ -4,7 +4,6 @@
 #include "core/cells/CellPlacement.H"
 #include "core/flow/VolumeFractions.H"
 
-#include <algorithm>
 #include <utility>
 
 namespace Foam::stability
@@ -44,7 +43,8 @@ std::optional<PeriodicImages::LinearField> fieldOf(const WholeMesh& whole)
 } // namespace
 
 MarchingTets::MarchingTets(const CellComplex& complex, scalar margin)
-    : complex_(complex), margin_(margin), field_(fieldOf(complex.whole()))
+    : complex_(complex), margin_(margin), vertices_(complex),
+      field_(fieldOf(complex.whole()))
 {
 }
 
@@ -83,54 +83,6 @@ scalar MarchingTets::cutShare(const Vertex& in, const Vertex& out) const
     const scalar t = (0.5 - in.value) / (out.value - in.value);
     const scalar margin = in.slender || out.slender ? narrow : margin_;
     return min(max(t, margin), 1 - margin);
-}
-
-label MarchingTets::idOfMiddle(const edge& e)
-{
-    if (middles_.insert(e, middleEdges_.size()))
-    {
-        middleEdges_.append(e);
-    }
-    return complex_.nPoints() + complex_.nCells() + complex_.nBoundaryFaces()
-           + middles_[e];
-}
-
-// The last entry of a point, of a cell and of a boundary face is at least 0; the kinds
-// differ in the first ones. A boundary face of an image has the number of the real one.
-FixedList<label, 3> MarchingTets::nameOfVertex(label id) const
-{
-    const CellComplexInput& input = complex_.input();
-    if (id < complex_.nPoints())
-    {
-        return {-1, -1, input.globalPoints[id]};
-    }
-    id -= complex_.nPoints();
-    if (id < complex_.nCells())
-    {
-        return {-1, -2, input.globalCells[id]};
-    }
-    id -= complex_.nCells();
-    if (id < complex_.nBoundaryFaces())
-    {
-        const label celli = complex_.owner()[complex_.nInternalFaces() + id];
-        return {complex_.image(celli), -3, input.globalBoundaryFaces[id]};
-    }
-    const edge& e = middleEdges_[id - complex_.nBoundaryFaces()];
-    const label a = input.globalPoints[e.first()], b = input.globalPoints[e.second()];
-    return {min(a, b), max(a, b), -4};
-}
-
-// The second point of a cut in a section has both ends in the other order.
-PointName MarchingTets::nameOf(label pointi) const
-{
-    const edge& cut = keys_[pointi];
-    const bool second = pointi > 0 && keys_[pointi - 1] == cut;
-    FixedList<label, 3> a(nameOfVertex(cut.first())), b(nameOfVertex(cut.second()));
-    if (std::lexicographical_compare(b.begin(), b.end(), a.begin(), a.end()) != second)
-    {
-        std::swap(a, b);
-    }
-    return {a[0], a[1], a[2], b[0], b[1], b[2]};
 }
 
 void MarchingTets::cut(const FixedList<Vertex, 4>& tet, const UList<label>& cells)
@@ -393,12 +345,14 @@ InterfaceMesh MarchingTets::takeMesh()
     {
         mesh.cellSizes[pointi] = complex_.cellSizes()[mesh.cells[pointi]];
     }
-    if (!complex_.input().globalCells.empty())
+    if (vertices_.haveNames())
     {
         mesh.names.setSize(keys_.size());
         forAll(keys_, pointi)
         {
-            mesh.names[pointi] = nameOf(pointi);
+            mesh.names[pointi] = vertices_.nameOf(
+                keys_[pointi], pointi > 0 && keys_[pointi - 1] == keys_[pointi]
+            );
         }
     }
     mesh.clearParametrization();

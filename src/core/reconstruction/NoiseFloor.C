@@ -39,11 +39,11 @@ scalar spreadFloor(
     const scalarField& spread, const UList<bool>& isPrimary, const Exchange& exchange
 )
 {
-    constexpr scalar ofPointsThatStay = 0.2; // [cells]
+    constexpr scalar ofPointsThatStay = 0.2; // [extents]
     scalarField noise(spread);
     for (scalar& value : noise)
     {
-        value = value < 0 ? ofPointsThatStay : value;
+        value = value < 0 ? -ofPointsThatStay * value : value;
     }
     return noiseQuantile(noise, isPrimary, exchange);
 }

@@ -102,6 +102,27 @@ const ReconstructionMethod& reconstructionMethod(const std::string& name)
     );
 }
 
+// The points of owned triangles depend on this many rings; where they are sharpened, on
+// the fits in cells that are near by their extents, which look at so many rings around.
+FetchReach reachOf(const ReconstructionOptions& options)
+{
+    constexpr label toSharpen = 3, toFit = 3; // rings more
+    constexpr scalar ofFits = 3;              // cells
+    constexpr label ofStencils = 5;           // rings
+    FetchReach reach(
+        reconstructionMethod(options.method).reach
+        + (options.volumeFit == VolumeFit::none ? 0 : toFit)
+        + 2 * options.smooth // each pair of steps looks twice at neighbours
+    );
+    if (options.sharpening != Sharpening::none)
+    {
+        reach.nRings += toSharpen;
+        reach.cells = ofFits;
+        reach.stencil = ofStencils;
+    }
+    return reach;
+}
+
 std::unique_ptr<Reconstruction> Reconstruction::New(const ReconstructionOptions& options
 )
 {

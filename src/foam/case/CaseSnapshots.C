@@ -12,25 +12,18 @@ namespace Foam::stability
 namespace
 {
 
-// The points of owned triangles depend on this many rings of cells around the rank's
-// own cells; if the reconstruction changes in time, the one that needs most rings
-// decides.
-label nRings(const TrackerOptions& tracker)
+// If the reconstruction changes in time, the one that needs most decides.
+FetchReach reachOf(const TrackerOptions& tracker)
 {
-    constexpr label toSharpen = 3, toFit = 3; // more
-    const auto needed = [](const ReconstructionOptions& options)
-    {
-        return reconstructionMethod(options.method).reach
-               + (options.sharpening == Sharpening::none ? 0 : toSharpen)
-               + (options.volumeFit == VolumeFit::none ? 0 : toFit)
-               + 2 * options.smooth; // each pair of steps looks twice at neighbours
-    };
-    label n = needed(tracker.reconstruction);
+    FetchReach reach(reachOf(tracker.reconstruction));
     for (const ReconstructionFrom& later : tracker.later)
     {
-        n = max(n, needed(later.reconstruction));
+        const FetchReach other(reachOf(later.reconstruction));
+        reach.nRings = max(reach.nRings, other.nRings);
+        reach.cells = max(reach.cells, other.cells);
+        reach.stencil = max(reach.stencil, other.stencil);
     }
-    return n;
+    return reach;
 }
 
 // What does not know of two-dimensional meshes and wedges yet.
@@ -71,8 +64,8 @@ CaseSnapshots::CaseSnapshots(
           messages, [&] { return CaseFields(mesh, options.alpha, options.U, source); }
       )),
       flux_(mesh, options.phi, options.velocity, source),
-      surfaces_(mesh.time(), options.files), nRings_(nRings(tracker)),
-      cells_(std::make_unique<MeshSnapshots>(mesh, messages, nRings_))
+      surfaces_(mesh.time(), options.files), reach_(reachOf(tracker)),
+      cells_(std::make_unique<MeshSnapshots>(mesh, messages, reach_))
 {
     if (cells_->section())
     {
@@ -214,7 +207,7 @@ void CaseSnapshots::findWalls(const volVectorField& U)
         names.insert(wall.name);
     }
     cells_.reset();
-    cells_ = std::make_unique<MeshSnapshots>(mesh_, messages_, nRings_, names);
+    cells_ = std::make_unique<MeshSnapshots>(mesh_, messages_, reach_, names);
 }
 
 } // namespace Foam::stability

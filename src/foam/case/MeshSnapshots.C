@@ -115,10 +115,10 @@ scalarField faceValues(const surfaceScalarField& field)
 } // namespace
 
 MeshSnapshots::MeshSnapshots(
-    const fvMesh& mesh, const RankMessages& messages, label nRings,
+    const fvMesh& mesh, const RankMessages& messages, const FetchReach& reach,
     const wordHashSet& walls
 )
-    : messages_(messages), cells_(mesh, messages, nRings, walls)
+    : messages_(messages), cells_(mesh, messages, reach, walls)
 {
     if (!section() || !section()->wedge)
     {

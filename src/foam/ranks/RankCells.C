@@ -2,7 +2,6 @@
 
 #include "foam/ranks/RankCells.H"
 
-#include "core/cells/RingFetch.H"
 #include "core/cells/ThinWallSearch.H"
 #include "foam/errors/Failures.H"
 
@@ -30,7 +29,7 @@ WholeMesh wholeOf(const CellComplexInput& own, const RankMessages& messages)
 } // namespace
 
 RankCells::RankCells(
-    const fvMesh& mesh, const RankMessages& messages, label nRings,
+    const fvMesh& mesh, const RankMessages& messages, const FetchReach& reach,
     const wordHashSet& walls
 )
     : messages_(messages), nOwn_(mesh.nCells()), cellNumbers_(mesh.nCells()),
@@ -52,7 +51,10 @@ RankCells::RankCells(
     whole.section = piece.section;
     whole.thinWalls = findThinWalls(own, piece.images.get(), messages);
     CellComplexInput all(assemble(
-        fetchRings(own, piece.images.get(), messages, alone ? 0 : nRings),
+        fetchRings(
+            own, piece.images.get(), messages,
+            alone ? FetchReach(0) : reach.within(piece.section)
+        ),
         own.patchNames, whole
     ));
     labelList realCells(all.globalCells);

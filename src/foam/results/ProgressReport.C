@@ -159,6 +159,11 @@ void ProgressReport::showTroubles(const Classification& c, const word& timeName)
              << fit.nOpen << " share fluid with what is not closed, " << fit.nHeld
              << " are held by walls" << endl;
     }
+    if (c.nTornEdges > 0)
+    {
+        Info << "interfaceStability: at time " << timeName << " s " << c.nTornEdges
+             << " edges of the interface within the domain have one triangle" << endl;
+    }
     const IntegrationCounts& surface = c.timeSurfaceCounts;
     const IntegrationCounts& particles = c.particleCounts;
     if (surface.nStuck + surface.nLost + particles.nStuck + particles.nLost > 0)
@@ -198,7 +203,23 @@ void ProgressReport::warn(
                 << " found no room, and no more will be seeded. Told once." << endl;
     }
     warnOfNoise(c, timeName);
+    warnOfTears(c, timeName);
     warnOfShortInterval(c, timeName);
+}
+
+void ProgressReport::warnOfTears(const Classification& c, const word& timeName)
+{
+    if (c.nTornEdges > 0 && !warnedTorn_)
+    {
+        warnedTorn_ = true;
+        Warning
+            << "interfaceStability: at time " << timeName
+            << " s the interface is torn within the domain, at " << c.nTornEdges
+            << " edges, where it should be closed: what lies there may be classified "
+               "wrongly. This is a fault of the program; please report the case. Told "
+               "once; later times only count."
+            << endl;
+    }
 }
 
 // An interface that stands still is within epsilon of one that moved less than that. A

@@ -27,9 +27,6 @@ using shapes::MeshParts;
 using shapes::ZooKind;
 using shapes::ZooMesh;
 
-// Enough for every method: an extraction that needs less does not look at more.
-constexpr label nRingsAround = 9;
-
 struct Cut
 {
     std::string name;
@@ -129,7 +126,8 @@ std::vector<Outcome> outcomesOf(
         max(ranks) + 1,
         [&](const Exchange& exchange)
         {
-            const auto complex = parts.part(exchange, nRingsAround);
+            const auto complex =
+                parts.part(exchange, reachOf(optionsOf(way).reconstruction));
             StabilityTracker tracker(optionsOf(way), exchange);
             for (const FlowSnapshot& whole : story)
             {

@@ -2,6 +2,8 @@
 
 #include "core/reconstruction/sharpening/FaceSmoothing.H"
 
+#include <cmath>
+
 namespace Foam::stability
 {
 
@@ -33,7 +35,7 @@ scalarField smoothedOverFaces(const CellComplex& complex, const scalarField& alp
     return sums;
 }
 
-scalar smoothedSquare(const CellComplex& complex, label celli, scalar size)
+scalar smoothedSquare(const CellComplex& complex, label celli, const CellFrame& frame)
 {
     scalar squares = 0;
     for (const label facei : complex.cellFaces()[celli])
@@ -43,13 +45,14 @@ scalar smoothedSquare(const CellComplex& complex, label celli, scalar size)
             const label other = complex.owner()[facei] == celli
                                     ? complex.neighbour()[facei]
                                     : complex.owner()[facei];
-            squares +=
-                magSqr(complex.cellCentres()[other] - complex.cellCentres()[celli]);
+            squares += magSqr(
+                frame.local(complex.cellCentres()[other] - complex.cellCentres()[celli])
+            );
         }
     }
     const label nDimensions = complex.whole().section ? 2 : 3;
     const scalar neighbours = 0.5 * squares / nSides(complex, celli) / nDimensions;
-    return (sqr(complex.cellSizes()[celli]) / 12 + neighbours) / sqr(size);
+    return sqr(complex.cellSizes()[celli] / std::cbrt(frame.volume)) / 12 + neighbours;
 }
 
 } // namespace Foam::stability

@@ -11,12 +11,15 @@ void InterfaceFit::setPlane(const point& c, const vector& n)
 {
     centre = c;
     normal = n;
-    const vector aside = across != vector(Zero)  ? across
-                         : std::abs(n.x()) < 0.6 ? vector(1, 0, 0)
-                                                 : vector(0, 1, 0);
-    t1 = n ^ aside;
+    vector upright = frame.extents & n; // in the frame
+    upright /= mag(upright);
+    const vector aside = across != vector(Zero)        ? across
+                         : std::abs(upright.x()) < 0.6 ? vector(1, 0, 0)
+                                                       : vector(0, 1, 0);
+    vector t1 = upright ^ aside;
     t1 /= mag(t1);
-    t2 = n ^ t1;
+    const vector t2 = upright ^ t1;
+    axes = tensor(frame.inverse & t1, frame.inverse & t2, frame.inverse & upright);
     a = scalar(0);
 }
 
@@ -26,9 +29,9 @@ SignedDistance InterfaceFit::distance(const point& x) const
     const scalar u = p.x(), v = p.y();
     const scalar fu = a[1] + 2 * a[3] * u + a[4] * v;
     const scalar fv = a[2] + a[4] * u + 2 * a[5] * v;
-    const scalar shrink = 1 / std::sqrt(1 + fu * fu + fv * fv);
-    return {
-        (p.z() - height(u, v)) * size * shrink, shrink * (normal - fu * t1 - fv * t2)};
+    const vector g = gradient(-fu, -fv, 1);
+    const scalar steepness = mag(g);
+    return {(p.z() - height(u, v)) / steepness, g / steepness};
 }
 
 } // namespace Foam::stability

@@ -69,11 +69,10 @@ private:
             {
                 InterfaceFit fit(fitOf(celli));
                 const vector g =
-                    gradientOver(complex_, stencil.rings(celli, 1), alpha_, fit.size);
+                    gradientOver(complex_, stencil.rings(celli, 1), alpha_, fit.frame);
                 constexpr scalar roundOff = 1e-9; // of a gradient that is none
-                const scalar length = mag(g);
                 fit.normal =
-                    length * fit.size > roundOff ? vector(g / length) : vector(Zero);
+                    fit.frame.along(g) > roundOff ? vector(g / mag(g)) : vector(Zero);
                 result_.fits.append(fit);
                 result_.planes.append(PlicPlane());
             }
@@ -83,13 +82,11 @@ private:
 
     InterfaceFit fitOf(label celli) const
     {
-        constexpr scalar inHexahedra = 2, elsewhere = 1.6; // in sizes
+        constexpr scalar inHexahedra = 2, elsewhere = 1.6;
         InterfaceFit fit;
         fit.cell = celli;
-        fit.size = spanOf(complex_, celli);
-        fit.reach =
-            fit.size
-            * (complex_.cellFaces()[celli].size() == 6 ? inHexahedra : elsewhere);
+        fit.frame = frameOf(complex_, celli);
+        fit.reach = complex_.cellFaces()[celli].size() == 6 ? inHexahedra : elsewhere;
         fit.across = complex_.whole().across();
         return fit;
     }
@@ -116,17 +113,19 @@ private:
             plane.converged = true;
             InterfaceFit fit(fitOf(owner));
             fit.setPlane(plane.centre, plane.normal);
-            fit.weight = extentOf(plane, fit.size);
+            fit.weight = extentOf(plane, fit.frame);
             result_.fits.append(fit);
             result_.planes.append(plane);
         }
     }
 
-    // The polygon's area in units of the size; in two dimensions its length.
-    scalar extentOf(const PlicPlane& plane, scalar size) const
+    // The polygon's area in the frame; in two dimensions its length.
+    scalar extentOf(const PlicPlane& plane, const CellFrame& frame) const
     {
         const std::optional<PlaneSection>& section = complex_.whole().section;
-        return plane.area / (size * (section ? section->thickness : size));
+        const scalar widths =
+            section ? frame.along(section->normal) / section->thickness : 1;
+        return widths * frame.area(plane.area * plane.normal);
     }
 
     symmTensor momentOf(label facei, const PlicPlane& plane) const
@@ -173,20 +172,21 @@ private:
     void place(InterfaceFit& fit, PlicPlane& plane) const
     {
         const scalar alpha = alpha_[fit.cell];
-        const vector normal =
-            fit.normal - fit.a[1] * fit.t1 - fit.a[2] * fit.t2; // of the fit, if any
-        if (!(mag(normal) > 0.5))
+        if (fit.normal == vector(Zero))
         {
             fit.weight = 0; // nothing tells where the interface points
             plane = PlicPlane();
             return;
         }
+        const vector normal = fit.axes == tensor(Zero)
+                                  ? fit.normal
+                                  : fit.gradient(-fit.a[1], -fit.a[2], 1);
         plane = planeIn(complex_, fit.cell, normal / mag(normal), alpha);
         const point centre =
             plane.converged ? plane.centre : complex_.cellCentres()[fit.cell];
         fit.setPlane(centre, plane.normal);
         fit.weight = plane.converged
-                         ? sqr(4 * alpha * (1 - alpha)) * extentOf(plane, fit.size)
+                         ? sqr(4 * alpha * (1 - alpha)) * extentOf(plane, fit.frame)
                          : 0;
     }
 
@@ -239,16 +239,15 @@ private:
         NormalEquations<6>& equations
     )
     {
-        constexpr scalar sigma = 1.5; // in sizes
-        if (weight > 0 && (plane.normal & own.normal) > smallestAlignment)
+        constexpr scalar sigma = 1.5; // in cells
+        if (weight > 0
+            && own.frame.alignment(plane.normal, own.normal) > smallestAlignment)
         {
             const vector x = own.local(plane.centre);
-            const scalar size2 = sqr(own.size);
+            const tensor moment = own.axes & plane.secondMoment & own.axes.T();
             NormalEquations<6>::Vector row;
-            row << 1, x.x(), x.y(),
-                sqr(x.x()) + (own.t1 & plane.secondMoment & own.t1) / size2,
-                x.x() * x.y() + (own.t1 & plane.secondMoment & own.t2) / size2,
-                sqr(x.y()) + (own.t2 & plane.secondMoment & own.t2) / size2;
+            row << 1, x.x(), x.y(), sqr(x.x()) + moment.xx(),
+                x.x() * x.y() + moment.xy(), sqr(x.y()) + moment.yy();
             equations.add(row, x.z(), weight * std::exp(-magSqr(x) / sqr(sigma)));
         }
     }

@@ -25,21 +25,28 @@ scalar ramp(scalar x, scalar zero, scalar one)
     return std::min(std::max((x - zero) / (one - zero), scalar(0)), scalar(1));
 }
 
-scalar trust(const BlendedDistance& d, scalar size)
+scalar trust(const BlendedDistance& d)
 {
-    return ramp(d.spread / size, noTrust, fullTrust);
+    return ramp(d.spread / d.size, noTrust, fullTrust);
 }
 
-// To where the distance is zero, along the walls.
-vector towards(const BlendedDistance& d, const std::vector<vector>& walls)
+vector along(const std::vector<vector>& walls, vector v)
 {
-    constexpr scalar flattest = 0.1;
-    vector g = d.gradient;
     for (const vector& w : walls)
     {
-        g -= (g & w) * w;
+        v -= (v & w) * w;
     }
-    return magSqr(g) > flattest ? vector(-d.value / magSqr(g) * g) : vector(Zero);
+    return v;
+}
+
+// To where the distance is zero, by the shortest way in the frame, along the walls.
+vector towards(const BlendedDistance& d, const PointSharpener::Start& start)
+{
+    constexpr scalar flattest = 0.1;
+    const symmTensor& s = start.frame.extents;
+    const vector g = along(start.walls, d.gradient);
+    const vector way = along(start.walls, s & (s & g));
+    return magSqr(g) > flattest ? vector(-d.value / (g & way) * way) : vector(Zero);
 }
 
 } // namespace
@@ -50,8 +57,8 @@ PointSharpener::ask(const FitBlend* blend, const Start& start, const point& x) c
     BlendedDistance d;
     if (blend)
     {
-        d = blend->at(x, start.normal, start.cell);
-        d.known = d.known && std::abs(d.value) <= farthest * start.size;
+        d = blend->at(x, start.normal, start.cell, start.frame);
+        d.known = d.known && std::abs(d.value) <= farthest * d.size;
     }
     return d;
 }
@@ -61,9 +68,9 @@ BlendedDistance PointSharpener::plicAt(const Start& start) const
     return ask(plic_, start, start.x);
 }
 
-bool PointSharpener::isSharp(const BlendedDistance& plic, scalar size)
+bool PointSharpener::isSharp(const BlendedDistance& plic)
 {
-    return plic.known && plic.spread <= sharp * size;
+    return plic.known && plic.spread <= sharp * plic.size;
 }
 
 // The weighted step; `sure` if all that count are trusted fully.
@@ -76,14 +83,14 @@ vector PointSharpener::combined(
     sure = true;
     if (move.share < 1)
     {
-        const scalar t = trust(plic, start.size);
-        step += (1 - move.share) * t * towards(plic, start.walls);
+        const scalar t = trust(plic);
+        step += (1 - move.share) * t * towards(plic, start);
         sure = sure && t == 1;
     }
     if (move.share > 0)
     {
-        const scalar t = trust(profile, start.size);
-        step += move.share * t * towards(profile, start.walls);
+        const scalar t = trust(profile);
+        step += move.share * t * towards(profile, start);
         sure = sure && t == 1;
     }
     return step;
@@ -95,7 +102,7 @@ PointSharpener::move(const Start& start, const BlendedDistance& first) const
     Move move;
     BlendedDistance plic = first;
     BlendedDistance profile;
-    if (!profile_ || isSharp(plic, start.size))
+    if (!profile_ || isSharp(plic))
     {
         move.share = 0;
     }
@@ -104,7 +111,7 @@ PointSharpener::move(const Start& start, const BlendedDistance& first) const
         profile = ask(profile_, start, start.x);
         move.share = !plic.known      ? 1
                      : !profile.known ? 0
-                                      : ramp(plic.spread / start.size, sharp, smeared);
+                                      : ramp(plic.spread / plic.size, sharp, smeared);
     }
     move.spread = (1 - move.share) * plic.spread + move.share * profile.spread;
 
@@ -123,12 +130,12 @@ PointSharpener::move(const Start& start, const BlendedDistance& first) const
         move.total += step;
         move.direction =
             (1 - move.share) * plic.gradient + move.share * profile.gradient;
-        const scalar length = mag(move.total), most = longestMove * start.size;
-        if (length > most)
+        const scalar length = mag(start.frame.local(move.total));
+        if (length > longestMove)
         {
-            move.total *= most / length;
+            move.total *= longestMove / length;
         }
-        again = ++move.nSteps < 2 && sure && length <= most;
+        again = ++move.nSteps < 2 && sure && length <= longestMove;
         if (again)
         {
             const point x = start.x + move.total;

@@ -2,6 +2,7 @@
 
 #include "core/reconstruction/sharpening/NormalEquations.H"
 
+#include "core/cells/BoxTree.H"
 #include "core/cells/CellStencil.H"
 #include "core/reconstruction/sharpening/ProfileFits.H"
 
@@ -16,7 +17,9 @@ namespace
 {
 
 constexpr scalar saturated = 1e-3; // the logit is clamped there
-constexpr scalar sigma = 1.5;      // reach of the weights along the interface, in sizes
+constexpr scalar sigma = 1.5;      // reach of the weights along the interface, in cells
+constexpr scalar farthestCentre =
+    1.5; // way from the centre of a cell to its fit, in cells
 
 scalar logit(scalar beta)
 {
@@ -37,13 +40,19 @@ class ProfileFitter
 {
 public:
     ProfileFitter(
-        const CellComplex& complex, const scalarField& alpha, label nThreads,
-        label nRings
+        const CellComplex& complex, const scalarField& alpha, const pointField& points,
+        label nThreads
     )
         : complex_(complex), beta_(smoothedOverFaces(complex, alpha)),
-          logits_(alpha.size()), gradients_(alpha.size()), nThreads_(nThreads),
-          nRings_(nRings)
+          logits_(alpha.size()), gradients_(alpha.size()), nThreads_(nThreads)
     {
+        List<boundBox> boxes(points.size());
+        forAll(points, i)
+        {
+            const point x = complex.whole().inMiddle(points[i]);
+            boxes[i] = boundBox(x, x);
+        }
+        points_ = BoxTree(boxes);
     }
 
     ProfileFits run()
@@ -83,14 +92,20 @@ private:
                                                 != VolumeFractions::inside(beta);
                                      }
                                  );
-            if (carries && complex_.ring(celli) <= nRings_)
+            if (carries)
             {
                 InterfaceFit fit;
                 fit.cell = celli;
-                fit.size = spanOf(complex_, celli);
-                fit.reach = 2 * fit.size;
+                fit.frame = frameOf(complex_, celli);
+                fit.reach = 2;
                 fit.across = complex_.whole().across();
-                result_.fits.append(fit);
+                const vector wide =
+                    (fit.reach + farthestCentre) * fit.frame.halfWidths();
+                const point& x = complex_.cellCentres()[celli];
+                if (points_.meets(boundBox(x - wide, x + wide)))
+                {
+                    result_.fits.append(fit);
+                }
             }
         }
     }
@@ -103,12 +118,11 @@ private:
 #pragma omp parallel for schedule(static) num_threads(nThreads_)
         for (label i = 0; i < cells.size(); ++i)
         {
-            const scalar size = complex_.cellSizes()[cells[i]];
-            gradients_[cells[i]] =
-                size
-                * gradientOver(
-                    complex_, complex_.pointNeighbours(cells[i]), beta_, size
-                );
+            const CellFrame frame(frameOf(complex_, cells[i]));
+            const vector g = gradientOver(
+                complex_, complex_.pointNeighbours(cells[i]), beta_, frame
+            );
+            gradients_[cells[i]] = frame.along(g) / (mag(g) + VSMALL) * g;
         }
     }
 
@@ -117,26 +131,27 @@ private:
     fit(CellStencil& stencil, std::vector<Sample>& samples, InterfaceFit& own) const
     {
         const scalar beta = beta_[own.cell];
-        constexpr scalar farthest = 1.5, certain = 0.01, doubt = 0.05;
+        constexpr scalar certain = 0.01, doubt = 0.05;
         const vector g =
-            gradientOver(complex_, stencil.rings(own.cell, 1), logits_, own.size);
-        const scalar slope = mag(g);
+            gradientOver(complex_, stencil.rings(own.cell, 1), logits_, own.frame);
+        const scalar slope = own.frame.along(g); // per cell
         own.weight =
             beta > certain && beta < 1 - certain ? sqr(4 * beta * (1 - beta)) : 0;
-        if (!(slope * own.size > VSMALL))
+        if (!(slope > VSMALL))
         {
             own.weight = 0;
             return false;
         }
-        const scalar reach = farthest * own.size;
-        const scalar toSurface =
-            std::min(std::max(logits_[own.cell] / slope, -reach), reach);
-        const vector normal = g / slope;
-        const point centre = complex_.cellCentres()[own.cell] - toSurface * normal;
+        const scalar toSurface = std::min(
+            std::max(logits_[own.cell] / slope, -farthestCentre), farthestCentre
+        );
+        const vector normal = g / mag(g);
+        const point centre =
+            complex_.cellCentres()[own.cell] - own.frame.step(normal, toSurface);
         own.setPlane(centre, normal);
 
         const UList<label>& cells = stencil.rings(own.cell, 2);
-        scalar steepness = slope * own.size;
+        scalar steepness = slope;
         if (!fitLogits(cells, true, own, steepness)
             || !fitLogits(cells, false, own, steepness))
         {
@@ -147,7 +162,7 @@ private:
         takeSamples(cells, own, samples);
         matchMoments(samples, std::min(std::max(steepness, 1.5), 8.0), own);
         own.a[0] -=
-            smoothedSquare(complex_, own.cell, own.size) * (own.a[3] + own.a[5]);
+            smoothedSquare(complex_, own.cell, own.frame) * (own.a[3] + own.a[5]);
         return true;
     }
 
@@ -156,15 +171,16 @@ private:
         return beta_[celli] <= saturated || beta_[celli] >= 1 - saturated;
     }
 
-    bool isAligned(label celli, const vector& normal, scalar least) const
+    bool isAligned(label celli, const InterfaceFit& own, scalar least) const
     {
         const vector& g = gradients_[celli];
         const scalar length = mag(g);
-        return length <= least || (g & normal) >= smallestAlignment * length;
+        return length <= least
+               || own.frame.alignment(g / length, own.normal) >= smallestAlignment;
     }
 
     // The logit as a quadratic function; re-aims the frame, or takes its zero as the
-    // surface. `steepness` is the slope of the logit, per size.
+    // surface. `steepness` is the slope of the logit, per cell.
     bool fitLogits(
         const UList<label>& cells, bool reaim, InterfaceFit& own, scalar& steepness
     ) const
@@ -173,7 +189,7 @@ private:
         NormalEquations<7> equations;
         for (const label celli : cells)
         {
-            if (isSaturated(celli) || !isAligned(celli, own.normal, trace))
+            if (isSaturated(celli) || !isAligned(celli, own, trace))
             {
                 continue;
             }
@@ -203,9 +219,9 @@ private:
         steepness = b[3];
         if (reaim)
         {
-            const vector n = b[3] * own.normal + b[1] * own.t1 + b[2] * own.t2;
+            const vector n = own.gradient(b[1], b[2], b[3]);
             const vector normal = n / mag(n);
-            own.setPlane(own.centre + offset * own.size * normal, normal);
+            own.setPlane(own.centre + own.frame.step(normal, offset), normal);
             return true;
         }
         own.a = {offset,       -b[1] / b[3], -b[2] / b[3],
@@ -243,7 +259,7 @@ private:
         for (const label celli : cells)
         {
             const bool saturated = isSaturated(celli);
-            if (saturated || isAligned(celli, own.normal, clear))
+            if (saturated || isAligned(celli, own, clear))
             {
                 const vector x = own.local(complex_.cellCentres()[celli]);
                 const scalar u = x.x(), v = x.y();
@@ -315,20 +331,20 @@ private:
     const CellComplex& complex_;
     scalarField beta_;
     scalarField logits_;
-    vectorField gradients_; // of beta, per size of the cell
+    vectorField gradients_; // of beta; their lengths are per cell
     label nThreads_;
-    label nRings_;
+    BoxTree points_;
     ProfileFits result_;
 };
 
 } // namespace
 
 ProfileFits fitProfiles(
-    const CellComplex& complex, const VolumeFractions& fractions, label nThreads,
-    label nRings
+    const CellComplex& complex, const VolumeFractions& fractions,
+    const pointField& points, label nThreads
 )
 {
-    return ProfileFitter(complex, fractions.cells, nThreads, nRings).run();
+    return ProfileFitter(complex, fractions.cells, points, nThreads).run();
 }
 
 } // namespace Foam::stability

@@ -47,7 +47,9 @@ public:
             const Move& move = moves_[pointi];
             const bool moved = move.nSteps > 0;
             moves[pointi] = move.total;
-            result_.spread[pointi] = moved ? move.spread / starts_[pointi].size : -1;
+            const scalar size = starts_[pointi].frame.along(moves_[pointi].direction);
+            result_.spread[pointi] =
+                (moved ? move.spread : -size) / mesh_.cellSizes[pointi];
             result_.nRejected += !moved;
             shares += move.share;
         }
@@ -66,10 +68,10 @@ private:
 #pragma omp parallel for schedule(static) num_threads(nThreads_)
         for (label pointi = 0; pointi < mesh_.points.size(); ++pointi)
         {
+            const CellFrame frame(frameOf(complex_, mesh_.cells[pointi]));
             starts_[pointi] = {
                 complex_.whole().inMiddle(mesh_.points[pointi]), -normals[pointi],
-                spanOf(complex_, mesh_.cells[pointi]), mesh_.cells[pointi],
-                wallsAt(pointi)};
+                mesh_.cells[pointi], frame, wallsAt(pointi)};
             moves_[pointi].direction = -normals[pointi];
         }
     }
@@ -123,11 +125,11 @@ private:
         for (label pointi = 0; pointi < n; ++pointi)
         {
             first[pointi] = plicAlone.plicAt(starts_[pointi]);
-            nDoubtful += !PointSharpener::isSharp(first[pointi], starts_[pointi].size);
+            nDoubtful += !PointSharpener::isSharp(first[pointi]);
         }
         if (kind_ != Sharpening::plic && nDoubtful > 0)
         {
-            profile_ = fitProfiles(complex_, fractions_, nThreads_, ringsOfFits());
+            profile_ = fitProfiles(complex_, fractions_, mesh_.points, nThreads_);
             profileBlend_.emplace(complex_, profile_.fits);
         }
         result_.nFits = plic_.fits.size() + profile_.fits.size();
@@ -143,19 +145,6 @@ private:
                 moves_[pointi] = move.nSteps > 0 ? move : moves_[pointi];
             }
         }
-    }
-
-    // Fits have a say up to five or six cells from their own: there are all for the
-    // points of this rank's triangles and those around, but not for the outermost.
-    label ringsOfFits() const
-    {
-        constexpr label reach = 3;
-        label farthest = 0;
-        for (const label celli : mesh_.triangleCells)
-        {
-            farthest = std::max(farthest, complex_.ring(celli));
-        }
-        return farthest + reach;
     }
 
     PointSharpener sharpener() const
@@ -216,7 +205,7 @@ private:
     // To the middle of the neighbours, along the surface, all at once.
     void spread(const std::vector<char>& folded, const Rows& pointTriangles)
     {
-        constexpr scalar longest = 0.5; // in sizes
+        constexpr scalar longest = 0.5; // in cells
         const PointSharpener both(sharpener());
         std::vector<Move> moved(moves_.begin(), moves_.end());
         forAll(moves_, pointi)
@@ -242,7 +231,7 @@ private:
             Move& move = moved[pointi];
             move.total += d - (d & g) * g;
             move.total += both.pull(start, move);
-            if (mag(move.total) > longest * start.size)
+            if (mag(start.frame.local(move.total)) > longest)
             {
                 move = old;
             }

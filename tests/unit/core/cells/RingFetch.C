@@ -8,6 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include "MinMax.H"
+
+#include <algorithm>
 #include <cmath>
 
 namespace Foam::stability
@@ -151,6 +154,61 @@ TEST(RingFetch, goesRoundTheAxisOfARotation)
     {
         EXPECT_EQ(whole->kinds()[i], BoundaryKind::wall);
     }
+}
+
+// Thin cells at both ends and thick ones between: the thick ones reach each other
+// across more thin ones than there are rings.
+TEST(RingFetch, goesOnWhereLargeCellsAreNear)
+{
+    const std::vector<scalar> ends{0,   0.02, 0.04, 0.06, 0.08, 0.1,  0.5,  0.9,
+                                   1.3, 1.7,  1.8,  1.82, 1.84, 1.86, 1.88, 1.9};
+    shapes::BoxOptions options;
+    options.n = Vector<label>(ends.size() - 1, 4, 3);
+    options.max = point(ends.size() - 1, 1.6, 1.2);
+    options.map = [&](const point& x)
+    { return point(ends[std::lround(x.x())], x.y(), x.z()); };
+    shapes::CyclicPair pair(shapes::periodicInX(options));
+    pair.motion.shift.x() = -ends.back();
+    const auto piece = shapes::periodicPiece(shapes::boxInput(options), {pair});
+    const auto wide = shapes::withRings(piece, 14);
+    FetchReach reach(1);
+    reach.cells = 2;
+    reach.stencil = 1;
+    const auto complex = shapes::withRings(piece, reach);
+    expectMoved(*complex);
+
+    // The range of each cell along x.
+    const auto range = [](const CellComplex& cells, label celli)
+    {
+        scalarMinMax x;
+        for (const label facei : cells.cellFaces()[celli])
+        {
+            for (const label pointi : cells.faces()[facei])
+            {
+                x.add(cells.points()[pointi].x());
+            }
+        }
+        return x;
+    };
+    label nNear = 0;
+    for (label celli = 0; celli < wide->nCells(); ++celli)
+    {
+        bool near = false;
+        for (label other = 0; other < wide->nCells() && !wide->own(celli); ++other)
+        {
+            const scalarMinMax a(range(*wide, celli)), b(range(*wide, other));
+            const scalar gap = std::max(a.min() - b.max(), b.min() - a.max());
+            near = near
+                   || (wide->own(other) && gap < 1.99 * std::min(a.mag(), 2 * b.mag()));
+        }
+        const label here = complex->localCell(wide->globalCell(celli));
+        EXPECT_TRUE(!near || (here >= 0 && complex->hasAllNeighbours(here)));
+        nNear += near;
+    }
+    // Two rings are less, and lack the thick cells behind the thin ones.
+    EXPECT_GT(nNear, 2 * 3 * 12);
+    EXPECT_GT(complex->nCells(), shapes::withRings(piece, 2)->nCells() + 2 * 3 * 12);
+    EXPECT_LT(complex->nCells(), wide->nCells());
 }
 
 TEST(RingFetch, thePatchIsNoBoundaryOnEitherSide)

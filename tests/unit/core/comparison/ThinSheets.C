@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "core/comparison/SmallScales.H"
 #include "core/comparison/ThinSheets.H"
 #include "core/reconstruction/Reconstruction.H"
 #include "shapes/BoxMesh.H"
@@ -29,7 +30,7 @@ scalar thinShare(const shapes::Shape& shape, Sharpening sharpening)
         Reconstruction::New(options)
             ->extract(shapes::snapshotOf(shapes::box(box), shape))
             .mesh;
-    const List<bool> thin(thinPoints(mesh, 2));
+    const List<bool> thin(thinPoints(mesh, mesh.cellSizes, 2));
     EXPECT_EQ(thin.size(), mesh.points.size());
     label nThin = 0, n = 0;
     forAll(thin, pointi)
@@ -78,7 +79,7 @@ label nThin(scalar distance, bool lowerUpwards, bool upperUpwards)
         both.triangles.append(triFace(t[0] + n, t[1] + n, t[2] + n));
     }
     both.cellSizes = scalarField(both.points.size(), 0.1);
-    const List<bool> thin(thinPoints(both, 1));
+    const List<bool> thin(thinPoints(both, both.cellSizes, 1));
     return label(std::count(thin.begin(), thin.end(), true));
 }
 
@@ -113,7 +114,37 @@ TEST(ThinSheets, aDropletOfThreeCellsIsNot)
     }
 }
 
+// Layers of 0.1 m of cells of 1 m: a sheet of four layers is resolved, though thinner
+// than half a cell by volume; one of 0.8 layers is not.
+TEST(ThinSheets, sheetsInFlatCellsAreMeasuredInLayers)
+{
+    const SerialExchange alone;
+    const auto thinIn = [&](scalar layers)
+    {
+        shapes::BoxOptions box;
+        box.n = Vector<label>(8, 8, 20);
+        box.max = point(8, 8, 2);
+        const auto snapshot = std::make_shared<const FlowSnapshot>(shapes::snapshotOf(
+            shapes::box(box),
+            [=](const point& x) { return mag(x.z() - 1.05) - 0.05 * layers; }
+        ));
+        const SurfacePiece piece(wholeSurface(
+            Reconstruction::New(ReconstructionOptions())->extract(*snapshot).mesh
+        ));
+        const SurfaceHalo halo(piece, VoxelMask(1), alone);
+        const Components components(halo, point::zero, alone);
+        const SmallScales scales(
+            smallScales(piece, halo, components, snapshot, stability::Run{alone, 1})
+        );
+        EXPECT_GT(scales.thin.size(), 100);
+        return scalar(std::count(scales.thin.begin(), scales.thin.end(), true))
+               / scales.thin.size();
+    };
+    EXPECT_EQ(thinIn(4), 0);
+    EXPECT_GT(thinIn(0.8), 0.99);
+}
+
 TEST(ThinSheets, nothingIsNotThin)
 {
-    EXPECT_TRUE(thinPoints(InterfaceMesh(), 1).empty());
+    EXPECT_TRUE(thinPoints(InterfaceMesh(), scalarField(), 1).empty());
 }

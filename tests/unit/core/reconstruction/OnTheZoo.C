@@ -98,7 +98,7 @@ label allowedFlips(const ZooMesh& mesh)
     static const std::map<std::string, label> known{
         {"refinedOblique", 120}, {"tetrahedra", 5}, {"polyhedra", 40},
         {"graded", 30},          {"layers10", 10},  {"layers100", 120},
-        {"layers1000", 420},     {"baffle", 2}};
+        {"layers1000", 450},     {"baffle", 2}};
     const auto found = known.find(mesh.name);
     return found == known.end() ? 0 : found->second;
 }

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/cells/CellFrame.H"
+
+#include "shapes/PolyMeshes.H"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+// A box of 3 x 4 x 5 cells with these edges [m], turned by a tensor.
+shapes::BoxOptions cells(const vector& edges, const tensor& turn = tensor::I)
+{
+    shapes::BoxOptions options;
+    options.n = Vector<label>(3, 4, 5);
+    options.max = point(3 * edges.x(), 4 * edges.y(), 5 * edges.z());
+    options.map = [turn](const point& x) { return turn & x; };
+    return options;
+}
+
+tensor obliqueTurn()
+{
+    const scalar c = std::cos(0.7), s = std::sin(0.7);
+    return tensor(c, -s, 0, s, c, 0, 0, 0, 1) & tensor(1, 0, 0, 0, c, -s, 0, s, c);
+}
+
+} // namespace
+
+TEST(CellFrame, hasTheEdgesOfABox)
+{
+    const tensor turn(obliqueTurn());
+    for (const vector& edges :
+         {vector(1, 2, 3), vector(0.001, 1, 1), vector(5, 5, 0.05)})
+    {
+        const auto complex = shapes::box(cells(edges, turn));
+        const CellFrame frame(frameOf(*complex, 17));
+        for (direction d = 0; d < 3; ++d)
+        {
+            vector axis(Zero);
+            axis[d] = 1;
+            const vector along = turn & axis;
+            EXPECT_NEAR(frame.along(along) / edges[d], 1, 1e-6);
+            EXPECT_NEAR(mag(frame.local(edges[d] * along)), 1, 1e-6);
+        }
+        EXPECT_NEAR(frame.volume / (edges.x() * edges.y() * edges.z()), 1, 1e-6);
+    }
+}
+
+TEST(CellFrame, isRoundInCubesAndInSlicesOfCubes)
+{
+    const auto expectRound = [](const CellComplex& complex)
+    {
+        for (label celli = 0; celli < complex.nCells(); ++celli)
+        {
+            const CellFrame frame(frameOf(complex, celli));
+            EXPECT_EQ(frame.extents, frame.extents.xx() * symmTensor(I));
+        }
+    };
+    expectRound(*shapes::box(cells(vector(2, 2, 2))));
+    expectRound(*shapes::complexOf(shapes::tetrahedralBox(cells(vector(2, 2, 2)))));
+    expectRound(*shapes::complexOf(shapes::perturbedBox(cells(vector(1, 1.2, 1)), 0.1))
+    );
+}
+
+TEST(CellFrame, isFlatInSlicesOfFlatCells)
+{
+    const auto complex =
+        shapes::complexOf(shapes::tetrahedralBox(cells(vector(1, 1, 0.02))));
+    for (label celli = 0; celli < complex->nCells(); ++celli)
+    {
+        const CellFrame frame(frameOf(*complex, celli));
+        const scalar across = frame.along(vector(0, 0, 1));
+        EXPECT_NEAR(frame.along(vector(1, 0, 0)) / across, 50, 20);
+        EXPECT_NEAR(frame.along(vector(0, 1, 0)) / across, 50, 20);
+    }
+}
+
+// The step is normal to the surface in the frame, and so long there.
+TEST(CellFrame, stepsAcrossASurface)
+{
+    const auto complex = shapes::box(cells(vector(1, 0.1, 3), obliqueTurn()));
+    const CellFrame frame(frameOf(*complex, 30));
+    const vector n = vector(1, 2, -1) / std::sqrt(6.0);
+    const vector step(frame.local(frame.step(n, 0.7)));
+    EXPECT_NEAR(mag(step), 0.7, 1e-12);
+    const vector within = n ^ vector(0.3, 0.1, 2);
+    EXPECT_NEAR(step & frame.local(within), 0, 1e-12);
+    EXPECT_NEAR(frame.step(n, 0.7) & n, 0.7 * frame.along(n), 1e-12);
+}
+
+TEST(CellFrame, gradientsOfLinearFunctionsAreExact)
+{
+    const auto complex = shapes::box(cells(vector(1, 1, 0.001), obliqueTurn()));
+    const vector g(3, -2, 500);
+    const scalarField values(complex->cellCentres() & g);
+    const vector found = gradientOver(
+        *complex, complex->pointNeighbours(30), values, frameOf(*complex, 30)
+    );
+    EXPECT_LT(mag(found - g) / mag(g), 1e-5);
+}
+
+} // namespace Foam::stability
