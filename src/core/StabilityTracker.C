@@ -195,7 +195,8 @@ void StabilityTracker::compare(const ExtractedSurface& extracted)
         reconstructionMethod(settings_[activeSettings()].reconstruction.method);
     if (method.sharesPoints && !method.readsFiles)
     {
-        result_.nTornEdges = tornEdges(comparison.interface(), exchange_);
+        result_.nTornEdges =
+            tornEdges(comparison.interface(), complex().whole().section, exchange_);
     }
     comparison.match();
     watch.emplace(timings_.reconstruction);

@@ -79,9 +79,10 @@ symmTensor scatterAround(const CellComplex& complex, label celli)
     return completed(sqr(complex.cellSizes()[celli]) / sizes * sum, across);
 }
 
-constexpr label ofHexahedron = 6;  // faces
-constexpr scalar roundBox = 0.7;   // extents differ by a factor of about 1.7
-constexpr scalar roundOther = 0.4; // of about 2.4: a cube cut around a diagonal has 2
+constexpr label ofHexahedron = 6;    // faces
+constexpr scalar roundBox = 0.7;     // extents differ by a factor of about 1.7
+constexpr scalar roundOther = 0.4;   // of about 2.4: a cube cut around a diagonal has 2
+constexpr scalar roundSection = 0.4; // of about 2.7: sharp discs stay sharper so
 
 // 1 for a sphere, 0 for a disc or a needle.
 scalar roundness(const symmTensor& scatter)
@@ -159,7 +160,7 @@ CellFrame frameOf(
     if (nFaces == ofHexahedron)
     {
         const symmTensor scatter(completed(scatterOf(points, centre, across), across));
-        if (roundness(scatter) < roundBox)
+        if (roundness(scatter) < (across == vector(Zero) ? roundBox : roundSection))
         {
             return stretchedFrame(scatter);
         }

@@ -187,6 +187,7 @@ TEST(TwoDimensions, aDiscInRotationStaysWhole)
     {
         tracker.advance(shared(disc.at(i)));
         const Classification& result = tracker.classify();
+        EXPECT_EQ(result.nTornEdges, 0);
         const Statistics& s = result.statistics;
         EXPECT_EQ(detachedArea(s), 0);
         EXPECT_NEAR(s.stableArea / s.area, 1, 1e-12);
@@ -220,6 +221,7 @@ TEST(TwoDimensions, theThicknessDoesNotCount)
         tracker.classify();
         tracker.advance(shared(disc.at(1, 0.14)));
         const Classification& result = tracker.classify();
+        EXPECT_EQ(result.nTornEdges, 0);
         interfaces.push_back(result.interface);
         timeSurfaces.push_back(result.timeSurface);
         statistics.push_back(result.statistics);
@@ -278,6 +280,7 @@ TEST(TwoDimensions, theSameOnSeveralRanks)
                 }
                 tracker.advance(parts.part(complex, disc.at(3, 0.14)));
                 const Classification& result = tracker.classify();
+                EXPECT_EQ(result.nTornEdges, 0);
                 const ClassifiedSurface interface =
                     gathered(result.interface, exchange);
                 const ClassifiedSurface timeSurface =
@@ -329,6 +332,7 @@ TEST(TwoDimensions, asManyLayersBetweenSymmetryPlanes)
         tracker.classify();
         tracker.advance(shared(discs[i].at(1, 0.14)));
         const Classification& result = tracker.classify();
+        EXPECT_EQ(result.nTornEdges, 0);
         T[i] = result.timeSurface;
         shares[i] = detachedArea(result.statistics) / result.statistics.area;
     }
@@ -386,6 +390,7 @@ TEST(TwoDimensions, filmsAreThinAndDropletsAreDiscs)
             shared(shapes::snapshotOf(complex, shapes::sectionAlpha(*complex, shape)))
         );
         const Classification& result = tracker.classify();
+        EXPECT_EQ(result.nTornEdges, 0);
         ASSERT_EQ(result.droplets.size(), 1u);
         const Droplet& droplet = result.droplets[0];
         EXPECT_NEAR(droplet.radius, 1.2, 0.02);
@@ -443,6 +448,7 @@ TEST(TwoDimensions, aSphereInAWedgeIsDrawnOut)
     {
         tracker.advance(at(i));
         const Classification& result = tracker.classify();
+        EXPECT_EQ(result.nTornEdges, 0);
         const Statistics& s = result.statistics;
         EXPECT_EQ(detachedArea(s), 0);
         EXPECT_NEAR(s.volumeError, 0, 0.004);

@@ -3,6 +3,7 @@
 #include "core/cells/CellFrame.H"
 
 #include "shapes/PolyMeshes.H"
+#include "shapes/SectionMesh.H"
 
 #include <gtest/gtest.h>
 
@@ -78,6 +79,36 @@ TEST(CellFrame, isFlatInSlicesOfFlatCells)
         const scalar across = frame.along(vector(0, 0, 1));
         EXPECT_NEAR(frame.along(vector(1, 0, 0)) / across, 50, 20);
         EXPECT_NEAR(frame.along(vector(0, 1, 0)) / across, 50, 20);
+    }
+}
+
+// Across the frame has the mean of the extents within the section.
+TEST(CellFrame, isThatOfThePlaneInASection)
+{
+    for (const direction normal : {0, 1, 2})
+    {
+        shapes::SectionOptions options;
+        options.max = point(2, 2, 0);
+        options.nx = 5;
+        options.normal = normal;
+        for (const label ny : {5, 10, 40})
+        {
+            options.ny = ny;
+            CellComplexInput input(shapes::sectionInput(options));
+            const auto complex = shapes::complexOf(input);
+            const vector x = shapes::placed(options, point(1, 0, 0))
+                             - shapes::placed(options, point(0, 0, 0));
+            const vector z = complex->whole().section->normal;
+            const CellFrame frame(frameOf(*complex, 7));
+            const scalar width = 0.4, height = 2.0 / ny;
+            const bool isRound = ny < 40; // the span
+            const scalar span = std::sqrt((sqr(width) + sqr(height)) / 2);
+            EXPECT_NEAR(frame.along(x), isRound ? span : width, 1e-6);
+            EXPECT_NEAR(frame.along(x ^ z), isRound ? span : height, 1e-6);
+            EXPECT_NEAR(
+                frame.along(z), isRound ? span : std::sqrt(width * height), 1e-6
+            );
+        }
     }
 }
 

@@ -69,7 +69,8 @@ label tornOn(label nRanks, const SurfacePiece& whole)
             {
                 around.add(x, 0.3);
             }
-            const label n = tornEdges(SurfaceHalo(piece, around, exchange), exchange);
+            const label n =
+                tornEdges(SurfaceHalo(piece, around, exchange), std::nullopt, exchange);
             if (exchange.isMaster())
             {
                 found = n;
