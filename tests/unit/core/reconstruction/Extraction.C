@@ -124,7 +124,7 @@ void expectSameOnRanks(const FlowSnapshot& whole, const ReconstructionOptions& o
     }
 }
 
-// Two balls close to each other, a bubble in one of them, one farther away, and a layer
+// Two balls that touch, a bubble in one of them, a ball farther away, and a layer
 // of water.
 FlowSnapshot dropsOverWater(const Complex& complex)
 {
@@ -135,7 +135,7 @@ FlowSnapshot dropsOverWater(const Complex& complex)
             *complex, shapes::halfSpace(point(0, 0, 2.2), vector(0.05, 0.02, 1))
         )
         + ball(point(4.1, 3.7, 8.2), 3.1) - ball(point(4.3, 3.5, 8.1), 1.6)
-        + ball(point(4.4, 9.3, 8.3), 2.1) + ball(point(10.1, 8.9, 6.1), 1.9)
+        + ball(point(4.4, 9.3, 8.3), 2.1) + ball(point(9.6, 8.9, 6.1), 1.9)
     );
     return shapes::snapshotOf(complex, scalarField(min(alpha, scalar(1))));
 }
@@ -185,7 +185,7 @@ TEST(Extraction, fitsVolumesAlikeOnAnyRanks)
         const Everything serial(
             extractedOn(1, labelList(complex->nCells(), label(0)), snapshot, options)
         );
-        EXPECT_EQ(serial.result.volumeFit->nClosed, 4);
+        EXPECT_EQ(serial.result.volumeFit->nClosed, 3);
         EXPECT_GT(serial.result.volumeFit->largestMove, 1e-3);
         expectSameOnRanks(snapshot, options);
     }
@@ -218,7 +218,7 @@ TEST(Extraction, knowsTheVolumeInAFileOnAnyRanks)
     const Everything serial(
         extractedOn(1, labelList(complex->nCells(), label(0)), snapshot, options)
     );
-    EXPECT_NEAR(serial.result.volumeError(), 0, 0.01);
+    EXPECT_NEAR(serial.result.volumeError(), 0, 0.02);
     EXPECT_NE(serial.result.volume.value(), serial.result.alphaVolume.value());
 }
 
