@@ -67,9 +67,10 @@ void ImpulsiveStart::consider(
 }
 
 void ImpulsiveStart::advance(
-    std::shared_ptr<const PointVelocity> earlier,
-    std::shared_ptr<const PointVelocity> later, const IntegrationOptions& options,
-    const CellComplex& complex, const Exchange& exchange
+    const std::shared_ptr<const PointVelocity>& earlier,
+    const std::shared_ptr<const PointVelocity>& later,
+    const IntegrationOptions& options, const CellComplex& complex,
+    const Exchange& exchange
 )
 {
     const bool begins = earlier->snapshot().time <= first_->snapshot().time;

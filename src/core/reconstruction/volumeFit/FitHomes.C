@@ -62,6 +62,7 @@ std::map<label, label> homesOf(const std::vector<List<FitSite>>& ofRanks)
         }
     }
     std::vector<FitSite> all; // by component
+    all.reserve(whole.size());
     for (const auto& [component, site] : whole)
     {
         all.push_back(site);
