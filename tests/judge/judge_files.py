@@ -334,7 +334,7 @@ def check_drift(findings, m, t, row, interval):
                 not wrong and not still,
                 f"{wrong} in {surface.path.name}",
             )
-    areas = np.where(np.isin(t["stability"], (3, 5)), 0, t.point_areas()) if t.n else np.zeros(0)
+    areas = np.where(t["stability"] == 5, 0, t.inside_areas()) if t.n else np.zeros(0)
     sizes = np.abs(t["driftSpeed"]) if t.n else np.zeros(0)
     for percent in (50, 90, 99):
         value = row[f"driftSpeed{percent}"]
@@ -416,8 +416,9 @@ class Particles:
             new = cloud["weight"][~np.isin(cloud["id"], self.ids)]
             self.ids = cloud["id"].copy()
         detached = t["stability"] == 2
-        around = np.any(detached[t.triangles], axis=1)
-        expected = t.point_areas()[detached].sum() / 2 + t.triangle_areas()[around].sum() / 2
+        tracked = np.all((t["stability"] != 5)[t.triangles], axis=1)
+        around = np.any(detached[t.triangles], axis=1) & tracked
+        expected = t.inside_areas()[detached].sum() / 2 + t.triangle_areas()[around].sum() / 2
         findings.require(
             "new particles weigh what detached",
             abs(new.sum() - expected) <= 1e-9 * max(expected, 1e-12),
