@@ -80,20 +80,30 @@ private:
     }
 
     // The lowest of the cells that touch the point, as in an extraction; -1 where the
-    // point is in no cell, or not all cells around it are known.
+    // point is in no cell, or not all cells around it are known. The way from the point
+    // before may end at an obstacle: then the search begins anew, near the point.
     label cellOf(const point& x)
     {
-        const Location location = locate(complex_, x, hint_);
+        Location location = locate(complex_, x, hint_);
+        if (!isAt(location, x))
+        {
+            hint_ = CellHint();
+            hint_.cell = complex_.findCell(x);
+            location = locate(complex_, x, hint_);
+        }
+        return isAt(location, x) && complex_.hasAllNeighbours(location.cell)
+                   ? settledCell(complex_, location.cell, x)
+                   : -1;
+    }
+
+    // A point beyond a wall is put back to 1e-6 in front of it.
+    bool isAt(const Location& location, const point& x) const
+    {
         const bool inCell = location.where == Location::Where::inside
                             || location.where == Location::Where::outside;
-        // A point beyond a wall is put back to 1e-6 in front of it.
-        if (!inCell || !complex_.hasAllNeighbours(location.cell)
-            || (location.boundaryFace >= 0
-                && mag(location.position - x) > 2 * toleranceIn(location.cell)))
-        {
-            return -1;
-        }
-        return settledCell(complex_, location.cell, x);
+        return inCell
+               && (location.boundaryFace < 0
+                   || mag(location.position - x) <= 2 * toleranceIn(location.cell));
     }
 
     // The first cell of that size among those around this one that touch the point, or
