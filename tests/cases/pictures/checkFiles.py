@@ -85,14 +85,15 @@ def check_others(folder):
         head[:120],
     )
     texture = sphere.png(folder / "texture.png")
-    # v upwards: full colour above, pale below; black in the lower right corner only.
+    # v upwards: full colour above, pale below; black in the lower half of the swatches only.
     spread = texture.max(axis=2) - texture.min(axis=2)
     side = sphere.TEXTURE
     verdict(
         "the texture stands upright",
         texture.shape == (side, side, 3)
         and spread[-20:].mean() > 2 * spread[:20].mean()
-        and texture[: side // 32, -(side // 32) :].max() == 0
+        and texture[: side // 64, -(side // 32) :].max() == 0
+        and texture[side // 64 + 2 : side // 32, -(side // 32) + 2 :].max() > 0
         and texture[side // 32 + 8, -8].min() > 50,
         texture.shape,
     )

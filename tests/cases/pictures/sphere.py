@@ -8,7 +8,7 @@ N_AROUND, N_HIGH = 96, 48
 CENTRE = np.array([0.35, 0.5, 0.55])
 RADIUS = 0.22
 CAP = 0.8  # latitude from which on all is attached; 1 is the pole
-SWATCH = np.array([1 - 1 / 64, 1 / 64])
+SWATCH = np.array([1 - 1 / 64, 1 / 128])  # of what attached
 TEXTURE = 1024
 
 failed = False
