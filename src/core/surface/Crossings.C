@@ -35,7 +35,7 @@ scalar crossedShare(const triFace& triangle, const Crossings& crossings)
     const label nCrossed = crossed[0] + crossed[1] + crossed[2];
     if (nCrossed % 3 == 0)
     {
-        return nCrossed / 3;
+        return nCrossed == 3 ? 1 : 0;
     }
     // The corner that is alone on its side cuts off a triangle.
     const label alone = crossed[0] == crossed[1] ? 2 : crossed[0] == crossed[2] ? 1 : 0;
