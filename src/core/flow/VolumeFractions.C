@@ -2,10 +2,12 @@
 
 #include "core/flow/VolumeFractions.H"
 #include "core/base/Errors.H"
+#include "core/cells/CanonicalOrder.H"
 #include "core/cells/CellFrame.H"
 #include "symmTensor.H"
 #include "tensor.H"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -76,6 +78,31 @@ scalarField extrapolated(
     return result;
 }
 
+// Weighted by 1/distance, summed in an order given by position: a start from setFields
+// has means of exactly 1/2, which must not depend on the numbering.
+template<class Alpha>
+scalar meanByDistance(
+    const CellComplex& complex, label pointi, const UList<label>& around,
+    const pointField& centres, const Alpha& alpha
+)
+{
+    labelList ordered(around);
+    std::sort(
+        ordered.begin(), ordered.end(),
+        [&](label a, label b) { return beforeByPosition(centres[a], centres[b]); }
+    );
+    scalar sum = 0, weights = 0;
+    for (const label i : ordered)
+    {
+        const scalar distance =
+            mag(complex.whole().inPlane(centres[i] - complex.points()[pointi]));
+        const scalar weight = 1 / max(distance, VSMALL);
+        sum += weight * alpha(i);
+        weights += weight;
+    }
+    return VolumeFractions::rounded(sum / weights);
+}
+
 } // namespace
 
 VolumeFractions::VolumeFractions(const FlowSnapshot& snapshot)
@@ -100,6 +127,22 @@ VolumeFractions::VolumeFractions(const FlowSnapshot& snapshot)
             volume.add(cells[celli] * complex.volumeInMesh(celli));
         }
     }
+}
+
+scalar VolumeFractions::atPoint(const CellComplex& complex, label pointi) const
+{
+    const UList<label> faces = complex.pointBoundaryFaces()[pointi];
+    if (faces.empty())
+    {
+        return meanByDistance(
+            complex, pointi, complex.pointCells()[pointi], complex.cellCentres(),
+            [&](label celli) { return cells[celli]; }
+        );
+    }
+    return meanByDistance(
+        complex, pointi, faces, complex.faceCentres(),
+        [&](label facei) { return boundaryFaces[facei - complex.nInternalFaces()]; }
+    );
 }
 
 scalar VolumeFractions::rounded(scalar alpha)

@@ -4,7 +4,6 @@
 #include "core/base/Errors.H"
 #include "core/reconstruction/MarchingTets.H"
 #include "core/reconstruction/SectionExtraction.H"
-#include "core/cells/CanonicalOrder.H"
 #include "core/flow/VolumeFractions.H"
 
 #include <algorithm>
@@ -159,50 +158,9 @@ private:
         scalar& value = pointValues_[pointi];
         if (value == unknown)
         {
-            value = meanAround(pointi);
+            value = fractions_.atPoint(complex_, pointi);
         }
         return {pointi, value, complex_.points()[pointi], slender_[pointi]};
-    }
-
-    // Over the cells around a point, or, on the boundary, over its faces there.
-    scalar meanAround(label pointi) const
-    {
-        const UList<label> faces = complex_.pointBoundaryFaces()[pointi];
-        if (faces.empty())
-        {
-            const auto alpha = [&](label celli) { return fractions_.cells[celli]; };
-            return mean(
-                pointi, complex_.pointCells()[pointi], complex_.cellCentres(), alpha
-            );
-        }
-        const auto alpha = [&](label facei)
-        { return fractions_.boundaryFaces[facei - complex_.nInternalFaces()]; };
-        return mean(pointi, faces, complex_.faceCentres(), alpha);
-    }
-
-    // Weighted by 1/distance, summed in an order given by position: a start from
-    // setFields has means of exactly 1/2, which must not depend on the numbering.
-    template<class Alpha>
-    scalar mean(
-        label pointi, const UList<label>& around, const pointField& centres,
-        const Alpha& alpha
-    ) const
-    {
-        labelList ordered(around);
-        std::sort(
-            ordered.begin(), ordered.end(),
-            [&](label a, label b) { return beforeByPosition(centres[a], centres[b]); }
-        );
-        scalar sum = 0;
-        scalar weights = 0;
-        for (const label i : ordered)
-        {
-            const scalar distance = mag(centres[i] - complex_.points()[pointi]);
-            const scalar weight = 1 / max(distance, VSMALL);
-            sum += weight * alpha(i);
-            weights += weight;
-        }
-        return VolumeFractions::rounded(sum / weights);
     }
 
     // If several faces lie between two cells, an edge between two of these faces has

@@ -125,7 +125,8 @@ private:
     Vertex atPoint(label pointi) const
     {
         return {
-            pointi, meanAround(pointi), section_.inMiddle(complex_.points()[pointi])};
+            pointi, fractions_.atPoint(complex_, pointi),
+            section_.inMiddle(complex_.points()[pointi])};
     }
 
     // The third vertex of the triangles at a point.
@@ -162,49 +163,6 @@ private:
             cells.begin(), cells.end(),
             [&](label a, label b) { return beforeByPosition(place(a), place(b)); }
         );
-    }
-
-    // Over the cells around a point, or, on the boundary, over its faces there.
-    scalar meanAround(label pointi) const
-    {
-        const UList<label> faces = complex_.pointBoundaryFaces()[pointi];
-        if (faces.empty())
-        {
-            return mean(
-                pointi, complex_.pointCells()[pointi], complex_.cellCentres(),
-                [&](label celli) { return fractions_.cells[celli]; }
-            );
-        }
-        return mean(
-            pointi, faces, complex_.faceCentres(),
-            [&](label facei)
-            { return fractions_.boundaryFaces[facei - complex_.nInternalFaces()]; }
-        );
-    }
-
-    // Weighted by 1/distance, summed in an order given by position: a start from
-    // setFields has means of exactly 1/2, which must not depend on the numbering.
-    template<class Alpha>
-    scalar mean(
-        label pointi, const UList<label>& around, const pointField& centres,
-        const Alpha& alpha
-    ) const
-    {
-        labelList ordered(around);
-        std::sort(
-            ordered.begin(), ordered.end(),
-            [&](label a, label b) { return beforeByPosition(centres[a], centres[b]); }
-        );
-        scalar sum = 0, weights = 0;
-        for (const label i : ordered)
-        {
-            const scalar distance =
-                mag(section_.inPlane(centres[i] - complex_.points()[pointi]));
-            const scalar weight = 1 / max(distance, VSMALL);
-            sum += weight * alpha(i);
-            weights += weight;
-        }
-        return VolumeFractions::rounded(sum / weights);
     }
 
     const CellComplex& complex_;

@@ -24,6 +24,8 @@ namespace
 {
 
 using shapes::MeshParts;
+using shapes::Way;
+using shapes::ways;
 using shapes::ZooKind;
 using shapes::ZooMesh;
 
@@ -55,24 +57,6 @@ const Cut cuts[] = {
     {"threeLayers", 3, inLayers},
     {"threeIrregular", 3, shapes::irregularParts},
     {"sevenIrregular", 7, shapes::irregularParts}};
-
-struct Way
-{
-    std::string name, method;
-    Sharpening sharpening;
-
-    friend std::ostream& operator<<(std::ostream& stream, const Way& way)
-    {
-        return stream << way.name;
-    }
-};
-
-const Way ways[] = {
-    {"none", "isoAlpha", Sharpening::none},
-    {"auto", "isoAlpha", Sharpening::automatic},
-    {"profile", "isoAlpha", Sharpening::profile},
-    {"bonnell", "bonnell", Sharpening::none},
-    {"plic", "plic", Sharpening::none}};
 
 TrackerOptions optionsOf(const Way& way)
 {

@@ -21,26 +21,10 @@ namespace Foam::stability
 namespace
 {
 
+using shapes::Way;
+using shapes::ways;
 using shapes::ZooKind;
 using shapes::ZooMesh;
-
-struct Way
-{
-    std::string name, method;
-    Sharpening sharpening;
-
-    friend std::ostream& operator<<(std::ostream& stream, const Way& way)
-    {
-        return stream << way.name;
-    }
-};
-
-const Way ways[] = {
-    {"none", "isoAlpha", Sharpening::none},
-    {"auto", "isoAlpha", Sharpening::automatic},
-    {"profile", "isoAlpha", Sharpening::profile},
-    {"bonnell", "bonnell", Sharpening::none},
-    {"plic", "plic", Sharpening::none}};
 
 // Exact fractions on a mesh, made once.
 struct Scene
