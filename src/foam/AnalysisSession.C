@@ -4,15 +4,14 @@
 
 #include "core/base/Errors.H"
 #include "core/base/ScopedTimer.H"
-#include "core/base/Version.H"
 #include "core/comparison/StabilityTables.H"
 #include "core/ranks/Exchange.H"
+#include "foam/case/CaseChecks.H"
+#include "foam/StartReport.H"
 #include "fvMesh.H"
-#include "unitConversion.H"
 
 #include <cmath>
 #include <optional>
-#include <sstream>
 
 namespace Foam::stability
 {
@@ -33,25 +32,6 @@ void checkFinite(const Statistics& statistics)
     }
 }
 
-// How a mesh of one layer of cells is taken, with what it spans across its section.
-std::string description(const PlaneSection& section)
-{
-    std::ostringstream text;
-    text << (section.wedge ? "wedge" : "two-dimensional mesh")
-         << ": its section across " << textOf(section.normal);
-    if (!section.wedge)
-    {
-        text << ", " << section.meshThickness << " m thick";
-        return text.str();
-    }
-    const scalar angle = 2 * radToDeg(std::atan(section.meshThickness / 2));
-    text << ", around the axis " << textOf(section.axis) << " through "
-         << textOf(section.axisPoint) << ", " << angle
-         << " degrees; areas and volumes are those of the wedge, times " << 360 / angle
-         << " for the whole";
-    return text.str();
-}
-
 } // namespace
 
 AnalysisSession::AnalysisSession(
@@ -59,9 +39,15 @@ AnalysisSession::AnalysisSession(
     FieldSource source
 )
     : mesh_(mesh), controls_(controls), resultFolder_(folder),
-      snapshots_(mesh, controls.fields, controls.tracker, source, messages_),
-      tracker_(observed(controls.tracker), messages_)
+      snapshots_(checked(mesh), controls.fields, controls.tracker, source, messages_),
+      tracker_(observed(controls.tracker), messages_), points_(mesh.points())
 {
+}
+
+const fvMesh& AnalysisSession::checked(const fvMesh& mesh) const
+{
+    checkCase(mesh, messages_);
+    return mesh;
 }
 
 TrackerOptions AnalysisSession::observed(const TrackerOptions& options)
@@ -77,10 +63,30 @@ void AnalysisSession::enter(Phase phase)
     forced_.check(phase, time_);
 }
 
-void AnalysisSession::expect(const instantList& times)
+instantList AnalysisSession::select(const instantList& all)
 {
-    snapshots_.require(times);
+    const instantList times(snapshots_.select(all));
     progress_.expect(times.size());
+    times_ = times;
+    return times;
+}
+
+// Motion that is declared may move nothing: the points then are where they were.
+void AnalysisSession::meshChanged(bool topology)
+{
+    constexpr scalar roundOff = 1e-10; // of the size of the domain
+    const pointField& points = mesh_.points();
+    if (topology || points.size() != points_.size())
+    {
+        meshChanged_ = true;
+        return;
+    }
+    scalar furthest = 0;
+    forAll(points, i)
+    {
+        furthest = max(furthest, magSqr(points[i] - points_[i]));
+    }
+    meshChanged_ |= std::sqrt(furthest) > roundOff * mesh_.bounds().mag();
 }
 
 std::shared_ptr<const FlowSnapshot> AnalysisSession::takeSnapshot()
@@ -126,8 +132,11 @@ void AnalysisSession::takeStep()
     if (meshChanged_)
     {
         throw BadInput(
-            "The mesh moves or changes, which interfaceStability does not support yet; "
-            "allowed is a mesh that stays as it is from the first time to the last."
+            "The mesh moves or changes until time " + mesh_.time().timeName()
+            + ", which interfaceStability does not support yet; allowed is a mesh that "
+              "stays as it is from the first time to the last: where it changes once, "
+              "select times after that, for instance with -time '"
+            + mesh_.time().timeName() + ":'."
         );
     }
     if (!tracker_.started())
@@ -135,7 +144,10 @@ void AnalysisSession::takeStep()
         auto snapshot = takeSnapshot();
         prepareResults();
         tracker_.start(std::move(snapshot));
-        announce();
+        tellStart(
+            mesh_, snapshots_, controls_, times_, controls_.writeToFile ? path_ : "",
+            progress_.shown()
+        );
     }
     else if (time_ != tracker_.time())
     {
@@ -276,58 +288,6 @@ void AnalysisSession::complete() const
     if (folder_ && nClassified_ > 0)
     {
         folder_->complete();
-    }
-}
-
-void AnalysisSession::announce() const
-{
-    const TrackerOptions& options = controls_.tracker;
-    const Epsilon& epsilon = options.matching.epsilon;
-    if (progress_.shown())
-    {
-        const CaseFields& fields = snapshots_.fields();
-        const FaceFlux& flux = snapshots_.flux();
-        Info << generator().c_str() << ":" << nl << "    fields " << fields.alphaName()
-             << " (from " << fields.source().c_str() << ") and " << fields.UName() << nl
-             << "    velocity "
-             << (flux.kind() == VelocityKind::flux ? "flux: " : "U: ")
-             << flux.reason().c_str() << nl << "    "
-             << options.reconstruction.method.c_str() << " reconstruction, sharpening "
-             << sharpeningNames()[label(options.reconstruction.sharpening)].c_str()
-             << ", volumeFit "
-             << volumeFitNames()[label(options.reconstruction.volumeFit)].c_str()
-             << ", epsilon " << epsilon.value << (epsilon.relative ? " cells" : " m")
-             << ", " << options.nThreads << " threads" << nl;
-        for (const ReconstructionFrom& later : options.later)
-        {
-            const ReconstructionOptions& other = later.reconstruction;
-            Info << "    from " << later.from << " s on " << other.method.c_str()
-                 << " reconstruction, sharpening "
-                 << sharpeningNames()[label(other.sharpening)].c_str() << ", epsilon "
-                 << later.matching.epsilon.value
-                 << (later.matching.epsilon.relative ? " cells" : " m") << nl;
-        }
-        if (snapshots_.section())
-        {
-            Info << "    " << description(*snapshots_.section()).c_str() << nl;
-        }
-        if (controls_.writeToFile)
-        {
-            Info << "    results in " << mesh_.time().relativePath(path_) << nl;
-        }
-        Info << endl;
-    }
-    for (const WallPatch& wall : snapshots_.walls())
-    {
-        Info << "interfaceStability: patch " << wall.name
-             << " is taken for a wall: its velocity (" << wall.condition
-             << ") runs along it" << nl << endl;
-    }
-    for (const std::string& patch : snapshots_.openCoupled())
-    {
-        Info << "interfaceStability: patch " << patch.c_str()
-             << " is taken for an open boundary: pathlines that cross it end there"
-             << nl << endl;
     }
 }
 

@@ -5,6 +5,7 @@
 #include "core/base/Errors.H"
 
 #include <cmath>
+#include <sstream>
 #include <string>
 
 namespace Foam::stability
@@ -15,6 +16,7 @@ namespace
 
 constexpr scalar lowestAlpha = -0.1;
 constexpr scalar highestAlpha = 1.1;
+constexpr scalar largestSpeed = 1e8; // [m/s]; beyond it numbers overflow, not fluids
 
 void checkSize(const std::string& name, label size, label wanted)
 {
@@ -57,9 +59,17 @@ void checkVelocity(
     forAll(values, i)
     {
         const vector& U = values[i];
+        const scalar speed = cmptMax(cmptMag(U)); // its square could overflow
         if (!std::isfinite(U.x()) || !std::isfinite(U.y()) || !std::isfinite(U.z()))
         {
             throw BadInput(name + " is not finite at " + textOf(places[i]) + ".");
+        }
+        if (!(speed <= largestSpeed))
+        {
+            std::ostringstream found;
+            found << name << " is " << speed << " m/s at " << textOf(places[i])
+                  << "; allowed is up to " << largestSpeed << ".";
+            throw BadInput(found.str());
         }
     }
 }

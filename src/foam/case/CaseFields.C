@@ -8,28 +8,25 @@
 #include "Time.H"
 #include "fvMesh.H"
 
+#include <cctype>
+
 namespace Foam::stability
 {
 
 namespace
 {
 
-std::string listed(const wordList& names)
+// The names in `phases (water air);`, `phases (water {...} air {...});` or
+// `phases {water {...} air {...}}`.
+wordList phaseNames(const entry& phases)
 {
-    std::string text;
-    for (const word& name : names)
+    if (phases.isDict())
     {
-        text += (text.empty() ? "" : ", ") + name;
+        return phases.dict().toc();
     }
-    return text;
-}
-
-// The names in `phases (water air);` or `phases (water {...} air {...});`.
-wordList phaseNames(const ITstream& tokens)
-{
     DynamicList<word> names;
     label depth = 0;
-    for (const token& t : tokens)
+    for (const token& t : phases.stream())
     {
         if (t.isPunctuation())
         {
@@ -47,17 +44,18 @@ wordList phaseNames(const ITstream& tokens)
 // The phases that the case declares, and the file that does.
 wordList declaredPhases(const fvMesh& mesh, word& file)
 {
-    for (const char* name : {"transportProperties", "thermophysicalProperties"})
+    for (const char* name :
+         {"transportProperties", "phaseProperties", "thermophysicalProperties"})
     {
         const IOdictionary properties(IOobject(
             name, mesh.time().constant(), mesh, IOobject::READ_IF_PRESENT,
             IOobject::NO_WRITE, false
         ));
         const entry* phases = properties.findEntry("phases", keyType::LITERAL);
-        if (phases && phases->isStream())
+        if (phases)
         {
             file = name;
-            return phaseNames(phases->stream());
+            return phaseNames(*phases);
         }
     }
     return wordList();
@@ -69,31 +67,62 @@ bool endsWith(const std::string& text, const std::string& end)
            && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-// The scalar fields alpha.* in a solver's memory or else on disk, without averages, old
-// times and set-up copies of them.
-wordList presentAlphas(const fvMesh& mesh, FieldSource fields)
+// The scalar fields in a solver's memory or else on disk at a time.
+wordList scalarFields(const fvMesh& mesh, FieldSource fields, const word& timeName)
 {
-    wordList candidates;
+    wordList names;
     if (fields == FieldSource::solver)
     {
-        candidates = mesh.sortedNames<volScalarField>();
+        names = mesh.sortedNames<volScalarField>();
     }
-    if (candidates.empty())
-    {
-        const IOobjectList objects(mesh, mesh.time().timeName());
-        candidates = objects.sortedNames(volScalarField::typeName);
-    }
+    return !names.empty()
+               ? names
+               : IOobjectList(mesh, timeName).sortedNames(volScalarField::typeName);
+}
+
+// The fields alpha.* among them, without averages, old times and the copies that users
+// and editors leave beside a field (.orig, .bak, ~, :Zone.Identifier).
+wordList alphasOf(const wordList& names)
+{
     DynamicList<word> alphas;
-    for (const word& name : candidates)
+    for (const word& name : names)
     {
-        const bool derived =
-            endsWith(name, "_0") || endsWith(name, "Mean") || endsWith(name, ".orig");
-        if (name.compare(0, 6, "alpha.") == 0 && !derived)
+        const bool derived = endsWith(name, "_0") || endsWith(name, "Mean");
+        if (name.compare(0, 6, "alpha.") == 0 && !derived
+            && name.find_first_of(".~:#", 6) == name.npos)
         {
             alphas.append(name);
         }
     }
     return wordList(std::move(alphas));
+}
+
+// Releases before 2.3 called them alpha1 and alphawater.
+wordList oldAlphasOf(const wordList& names)
+{
+    DynamicList<word> alphas;
+    for (const word& name : names)
+    {
+        if (name.size() > 5 && name.compare(0, 5, "alpha") == 0
+            && std::isalnum(static_cast<unsigned char>(name[5]))
+            && !endsWith(name, "_0") && !endsWith(name, "Mean"))
+        {
+            alphas.append(name);
+        }
+    }
+    return wordList(std::move(alphas));
+}
+
+[[noreturn]] void refuseWithoutAlpha(const wordList& names, const std::string& time)
+{
+    const wordList old(oldAlphasOf(names));
+    throw BadInput(
+        "No volume fraction: there is no scalar field alpha.* at " + time
+        + ", no 'phases' in transportProperties, and no entry 'alpha'."
+        + (old.empty() ? ""
+                       : " There is " + listed(old) + ": say 'alpha " + old.first()
+                             + ";' in system/interfaceStabilityDict.")
+    );
 }
 
 word findAlpha(const fvMesh& mesh, FieldSource fields, std::string& source)
@@ -114,23 +143,31 @@ word findAlpha(const fvMesh& mesh, FieldSource fields, std::string& source)
         return IOobject::groupName("alpha", phases.first());
     }
 
-    const wordList alphas(presentAlphas(mesh, fields));
-    const std::string time = "time " + mesh.time().timeName();
+    const Time& runTime = mesh.time();
+    const wordList names(scalarFields(mesh, fields, runTime.timeName()));
+    word found(runTime.timeName());
+    wordList alphas(alphasOf(names));
+    // The first times of a case may have no fields yet.
+    for (const instant& later : runTime.times())
+    {
+        if (alphas.empty() && later.value() > runTime.value())
+        {
+            alphas = alphasOf(scalarFields(mesh, fields, later.name()));
+            found = later.name();
+        }
+    }
     if (alphas.empty())
     {
-        throw BadInput(
-            "No volume fraction: there is no scalar field alpha.* at " + time
-            + ", no 'phases' in transportProperties, and no entry 'alpha'."
-        );
+        refuseWithoutAlpha(names, "time " + runTime.timeName());
     }
     if (alphas.size() > 1)
     {
         throw BadInput(
-            "Several volume fractions at " + time + " (" + listed(alphas)
+            "Several volume fractions at time " + found + " (" + listed(alphas)
             + "): say which to analyse, for instance 'alpha " + alphas.first() + ";'."
         );
     }
-    source = "the only alpha.* at " + time;
+    source = "the only alpha.* at time " + found;
     return alphas.first();
 }
 
@@ -151,6 +188,12 @@ std::string CaseFields::missingAt(const word& timeName) const
 {
     const std::string first = alpha_.complaint(timeName);
     return first.empty() ? U_.complaint(timeName) : first;
+}
+
+bool CaseFields::absentAt(const word& timeName) const
+{
+    const bool noAlpha = alpha_.absentAt(timeName);
+    return U_.absentAt(timeName) || noAlpha;
 }
 
 void CaseFields::require(const instantList& times) const

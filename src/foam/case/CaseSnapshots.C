@@ -4,7 +4,11 @@
 
 #include "core/base/Errors.H"
 #include "core/ranks/Exchange.H"
+#include "OSspecific.H"
+#include "fileOperation.H"
 #include "fvMesh.H"
+
+#include <sstream>
 
 namespace Foam::stability
 {
@@ -53,6 +57,61 @@ void refuseOnSection(const CaseOptions& options, const TrackerOptions& tracker)
     }
 }
 
+wordList namesOf(const instantList& times)
+{
+    wordList names(times.size());
+    forAll(times, i)
+    {
+        names[i] = times[i].name();
+    }
+    return names;
+}
+
+// The names that each rank gives. Collective.
+std::vector<wordList> fromAllRanks(const wordList& names, const Exchange& exchange)
+{
+    std::ostringstream text;
+    for (const word& name : names)
+    {
+        text << name << ' ';
+    }
+    const std::string mine = text.str();
+    Packet packet;
+    packet.putList(List<char>(mine.begin(), mine.end()));
+    std::vector<wordList> all;
+    for (Packet& one : exchange.toAll(packet))
+    {
+        const List<char> letters(one.getList<char>());
+        std::istringstream words(std::string(letters.begin(), letters.end()));
+        DynamicList<word> found;
+        for (std::string name; words >> name;)
+        {
+            found.append(word(name));
+        }
+        all.push_back(wordList(std::move(found)));
+    }
+    return all;
+}
+
+// How a case comes to have two times.
+std::string wayOut(const Time& runTime)
+{
+    const fileName path(runTime.path());
+    const label nParts = UPstream::parRun() ? 0 : fileHandler().nProcs(path);
+    if (nParts > 0)
+    {
+        const std::string n = std::to_string(nParts);
+        return "the case is decomposed into " + n + " parts; run 'mpirun -np " + n
+               + " interfaceStability -parallel', or reconstructPar first.";
+    }
+    if (isDir(path / "0.orig") && !isDir(path / "0"))
+    {
+        return "there is 0.orig, but no 0; copy it (restore0Dir) and run the solver "
+               "first.";
+    }
+    return "check the time options and the time folders of the case.";
+}
+
 } // namespace
 
 CaseSnapshots::CaseSnapshots(
@@ -63,65 +122,111 @@ CaseSnapshots::CaseSnapshots(
       fields_(makeOnAllRanks(
           messages, [&] { return CaseFields(mesh, options.alpha, options.U, source); }
       )),
-      flux_(mesh, options.phi, options.velocity, source),
+      flux_(mesh, options.phi, options.velocity, source, messages),
       surfaces_(mesh.time(), options.files), reach_(reachOf(tracker)),
       cells_(std::make_unique<MeshSnapshots>(mesh, messages, reach_))
 {
+    for (const wordList& names : fromAllRanks({fields_.alphaName()}, messages))
+    {
+        if (names != wordList{fields_.alphaName()})
+        {
+            throw BadInput(
+                "The ranks find different volume fractions: say which to analyse, for "
+                "instance 'alpha "
+                + fields_.alphaName() + ";'."
+            );
+        }
+    }
     if (cells_->section())
     {
         refuseOnSection(options, tracker);
     }
 }
 
-void CaseSnapshots::require(const instantList& times)
+instantList CaseSnapshots::select(const instantList& all)
 {
-    requireSame(times);
+    const instantList times(complete(all));
     if (times.size() < 2)
     {
-        throw BadInput(
-            "Times selected: " + std::to_string(times.size())
-            + "; the analysis compares consecutive times and needs at least two: check "
-              "the time options and the time folders of the case."
-        );
+        refuseTooFew(all, times.size());
     }
     runOnAllRanks(
         messages_,
         [&]
         {
             fields_.require(times);
-            flux_.choose(times);
             if (messages_.isMaster())
             {
                 surfaces_.require(times);
             }
         }
     );
+    flux_.choose(times);
+    return times;
 }
 
-// A run that was killed may have left a time on some ranks only.
-void CaseSnapshots::requireSame(const instantList& times) const
+// Other programs leave folders of times without fields, a solver may write single
+// fields, and a run that was killed may have left a time on some ranks only.
+instantList CaseSnapshots::complete(const instantList& all)
 {
-    DynamicList<char> names;
-    for (const instant& time : times)
-    {
-        names.append(List<char>(time.name().begin(), time.name().end()));
-        names.append(' ');
-    }
-    Packet mine;
-    mine.putList(names);
-    const List<char> wanted(messages_.fromMaster(mine).getList<char>());
+    wordList here;
     runOnAllRanks(
         messages_,
         [&]
         {
-            if (wanted != names)
+            for (const instant& time : all)
             {
-                throw BadInput(
-                    "The folders of the ranks do not have the same times: remove those "
-                    "that are not in all of processor0, processor1, ..."
-                );
+                if (!fields_.absentAt(time.name()))
+                {
+                    here.append(time.name());
+                }
             }
         }
+    );
+    wordHashSet onAll(here);
+    for (const wordList& names : fromAllRanks(here, messages_))
+    {
+        onAll &= wordHashSet(names);
+    }
+    wordHashSet onSome;
+    for (const wordList& names : fromAllRanks(namesOf(all), messages_))
+    {
+        onSome |= wordHashSet(names);
+    }
+    onSome -= onAll;
+    passedOver_ = onSome.sortedToc();
+
+    DynamicList<instant> times;
+    for (const instant& time : all)
+    {
+        if (onAll.found(time.name()))
+        {
+            times.append(time);
+        }
+    }
+    return instantList(std::move(times));
+}
+
+// The reason comes first, if a field is missing or the whole case lies elsewhere.
+void CaseSnapshots::refuseTooFew(const instantList& all, label nComplete) const
+{
+    std::string reason;
+    runOnAllRanks(
+        messages_,
+        [&]
+        {
+            for (label i = 0; i < all.size() && reason.empty(); ++i)
+            {
+                reason = fields_.missingAt(all[i].name());
+            }
+        }
+    );
+    reason = messages_.firstNonEmpty(reason);
+    throw BadInput(
+        (reason.empty() ? "" : reason + " ") + "Times with all fields: "
+        + std::to_string(nComplete) + " of " + std::to_string(all.size())
+        + "; the analysis compares consecutive times and needs at least two: "
+        + wayOut(mesh_.time())
     );
 }
 
@@ -160,11 +265,21 @@ std::shared_ptr<const FlowSnapshot> CaseSnapshots::take()
     return snapshot;
 }
 
+// Each rank has a file of its own that tells the time; one may be missing.
+scalar CaseSnapshots::time() const
+{
+    scalar here = 0;
+    runOnAllRanks(messages_, [&] { here = fields_.time(); });
+    Packet packet;
+    packet.put(here);
+    return messages_.fromMaster(packet).get<scalar>();
+}
+
 std::shared_ptr<FlowSnapshot> CaseSnapshots::takeFields()
 {
     std::optional<tmp<volScalarField>> alpha;
     std::optional<tmp<volVectorField>> U;
-    std::optional<tmp<surfaceScalarField>> phi;
+    std::optional<FaceFluxes> phi;
     runOnAllRanks(
         messages_,
         [&]
@@ -176,21 +291,21 @@ std::shared_ptr<FlowSnapshot> CaseSnapshots::takeFields()
             }
             alpha.emplace(fields_.alpha());
             U.emplace(fields_.U());
-            if (!flux_.chosen())
-            {
-                chooseVelocity();
-            }
-            if (flux_.applies())
-            {
-                phi.emplace(flux_.get());
-            }
         }
     );
+    if (!flux_.chosen())
+    {
+        chooseVelocity();
+    }
+    if (flux_.applies())
+    {
+        phi = flux_.get();
+    }
     if (nTaken_ == 0)
     {
         findWalls((*U)());
     }
-    return cells_->take((*alpha)(), (*U)(), time(), phi ? &(*phi)() : nullptr);
+    return cells_->take((*alpha)(), (*U)(), time(), phi ? &*phi : nullptr);
 }
 
 // The first velocity tells; where the mesh knew better, it is not copied again.

@@ -6,6 +6,8 @@
 #include "StringStream.H"
 #include "Time.H"
 #include "fvMesh.H"
+#include "processorPolyPatch.H"
+#include "syncTools.H"
 
 namespace Foam::stability
 {
@@ -35,14 +37,14 @@ std::string wrongDimensions(const surfaceScalarField& phi, const word& timeName)
 
 FaceFlux::FaceFlux(
     const fvMesh& mesh, const word& phiName, std::optional<VelocityKind> asked,
-    FieldSource fields
+    FieldSource fields, const Exchange& exchange
 )
-    : mesh_(mesh), phi_(mesh, phiName, fields), asked_(asked)
+    : mesh_(mesh), phi_(mesh, phiName, fields), asked_(asked), exchange_(exchange)
 {
 }
 
-// Why there are no fluxes to take the flow from; empty where there are.
-std::string FaceFlux::shortcoming(const instantList& times) const
+// Why this rank has no fluxes to take the flow from; empty where it has.
+std::string FaceFlux::shortcomingHere(const instantList& times) const
 {
     const word present = mesh_.time().timeName();
     if (times.empty())
@@ -53,7 +55,7 @@ std::string FaceFlux::shortcoming(const instantList& times) const
     word last;
     for (const instant& time : times)
     {
-        if (time.name() == firstTime_ && !phi_.onDisk(firstTime_))
+        if (time.name() == firstTime_ && !firstOnDisk_)
         {
             continue;
         }
@@ -66,6 +68,17 @@ std::string FaceFlux::shortcoming(const instantList& times) const
     }
     return last.empty() ? phi_.complaint(firstTime_)
                         : wrongDimensions(phi_.read(last)(), last);
+}
+
+// Sets, too, whether the first time has fluxes.
+std::string FaceFlux::shortcoming(const instantList& times)
+{
+    bool absent = false;
+    runOnAllRanks(exchange_, [&] { absent = !phi_.onDisk(firstTime_); });
+    firstOnDisk_ = exchange_.total(absent) == 0;
+    std::string here;
+    runOnAllRanks(exchange_, [&] { here = shortcomingHere(times); });
+    return exchange_.firstNonEmpty(here);
 }
 
 void FaceFlux::choose(const instantList& times)
@@ -85,14 +98,14 @@ void FaceFlux::choose(const instantList& times)
         {
             reason_ = "by default, as there is " + name();
         }
-        if (!solverHasStepped() && !phi_.onDisk(firstTime_))
+        if (!solverHasStepped() && !firstOnDisk_)
         {
             reason_ += "; U at time " + firstTime_ + ", which has none yet";
         }
     }
     else if (asked_)
     {
-        throw BadInput(shortcoming + " The dictionary says 'velocity flux'.");
+        throw BadInput(shortcoming + " The dictionary asks for the fluxes.");
     }
     else
     {
@@ -114,11 +127,10 @@ bool FaceFlux::applies() const
     {
         return false;
     }
-    const word present = mesh_.time().timeName();
-    return solverHasStepped() || present != firstTime_ || phi_.onDisk(present);
+    return solverHasStepped() || mesh_.time().timeName() != firstTime_ || firstOnDisk_;
 }
 
-tmp<surfaceScalarField> FaceFlux::get() const
+tmp<surfaceScalarField> FaceFlux::read() const
 {
     const word present = mesh_.time().timeName();
     tmp<surfaceScalarField> phi(solverHasStepped() ? phi_.get() : phi_.read(present));
@@ -128,6 +140,80 @@ tmp<surfaceScalarField> FaceFlux::get() const
         throw BadInput(failure);
     }
     return phi;
+}
+
+FaceFluxes FaceFlux::get()
+{
+    FaceFluxes fluxes{name(), scalarField(mesh_.nFaces(), Zero)};
+    runOnAllRanks(
+        exchange_,
+        [&]
+        {
+            const tmp<surfaceScalarField> phi(read());
+            const UList<scalar>& internal = phi().primitiveField();
+            SubList<scalar>(fluxes.values, internal.size()) = internal;
+            for (const fvsPatchScalarField& values : phi().boundaryField())
+            {
+                SubList<scalar>(fluxes.values, values.size(), values.patch().start()) =
+                    values;
+            }
+        }
+    );
+    if (exchange_.nRanks() > 1)
+    {
+        turnSides(fluxes.values);
+    }
+    return fluxes;
+}
+
+// The two sides of a face between ranks have opposite signs. decomposePar gives them
+// the same one where the file does not say `oriented`, as those of other releases.
+void FaceFlux::turnSides(scalarField& values)
+{
+    const label nInternal = mesh_.nInternalFaces();
+    scalarField others(SubList<scalar>(values, mesh_.nFaces() - nInternal, nInternal));
+    syncTools::swapBoundaryFaceList(mesh_, others);
+    scalar sum = 0, ofSums = 0, ofDifferences = 0;
+    DynamicList<label> turned; // faces of which this rank has the neighbour's side
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        const auto* between = isA<processorPolyPatch>(patch);
+        for (label i = 0; between && i < patch.size(); ++i)
+        {
+            const label facei = patch.start() + i;
+            const scalar mine = values[facei], other = others[facei - nInternal];
+            sum += mag(mine) + mag(other);
+            ofSums += mag(mine + other);
+            ofDifferences += mag(mine - other);
+            if (!between->owner())
+            {
+                turned.append(facei);
+            }
+        }
+    }
+    constexpr scalar digits = 1e-4; // files of few digits round both sides alike
+    if (exchange_.total(ofSums > digits * sum) == 0)
+    {
+        return;
+    }
+    if (exchange_.total(ofDifferences > digits * sum) > 0)
+    {
+        throw BadInput(
+            "Field " + name() + " of time " + mesh_.time().timeName()
+            + " differs on the two sides of faces between ranks: decompose it again."
+        );
+    }
+    for (const label facei : turned)
+    {
+        values[facei] *= -1;
+    }
+    if (!toldTurned_)
+    {
+        toldTurned_ = true;
+        Info << "interfaceStability: field " << name()
+             << " was decomposed without 'oriented': its signs are turned on one side "
+             << "of the faces between ranks" << nl << endl;
+    }
 }
 
 } // namespace Foam::stability

@@ -4,10 +4,10 @@
 
 #include "core/base/Errors.H"
 #include "foam/errors/Failures.H"
-#include "OSspecific.H"
 #include "Time.H"
+#include "fileOperation.H"
 #include "fvMesh.H"
-#include "sigFpe.H"
+#include "localIOdictionary.H"
 
 namespace Foam::stability
 {
@@ -15,18 +15,47 @@ namespace Foam::stability
 namespace
 {
 
-// While it lives, OpenFOAM prints neither progress nor warnings.
-class Silence
-{
-public:
-    Silence() : level_(messageStream::level) { messageStream::level = 0; }
-    ~Silence() { messageStream::level = level_; }
-    Silence(const Silence&) = delete;
-    Silence& operator=(const Silence&) = delete;
+template<class FieldType>
+constexpr bool isOnFaces = std::is_same_v<FieldType, surfaceScalarField>;
 
-private:
-    int level_;
-};
+// The dictionary of a patch without the condition: constraints stay, others have their
+// values, if there are any, or take those of the cells.
+template<class FieldType>
+dictionary valuesOf(const dictionary& condition, const fvPatch& patch)
+{
+    dictionary values;
+    const bool given = condition.found("value");
+    values.add(
+        "type", patch.constraintType(patch.type()) ? patch.type()
+                : given || isOnFaces<FieldType>    ? word("calculated")
+                                                   : word("zeroGradient")
+    );
+    if (given)
+    {
+        values.add("value", condition.lookup("value"));
+    }
+    return values;
+}
+
+template<class FieldType>
+tmp<FieldType> readValues(const IOobject& io, const fvMesh& mesh)
+{
+    localIOdictionary file(io, FieldType::typeName);
+    const dictionary conditions(file.subDict("boundaryField"));
+    dictionary& boundary = file.subDict("boundaryField");
+    boundary.clear();
+    for (const fvPatch& patch : mesh.boundary())
+    {
+        boundary.add(
+            patch.name(),
+            valuesOf<FieldType>(conditions.subOrEmptyDict(patch.name()), patch)
+        );
+    }
+    const IOobject unread(
+        io.name(), io.instance(), io.db(), IOobject::NO_READ, IOobject::NO_WRITE, false
+    );
+    return tmp<FieldType>::New(unread, mesh, file);
+}
 
 } // namespace
 
@@ -45,37 +74,61 @@ bool FieldReader<FieldType>::inMemory() const
 }
 
 template<class FieldType>
+bool FieldReader<FieldType>::inSolver() const
+{
+    return source_ == FieldSource::solver && mesh_.foundObject<regIOobject>(name_);
+}
+
+template<class FieldType>
 bool FieldReader<FieldType>::onDisk(const word& timeName) const
 {
-    return isFile(at(timeName).objectPath());
+    const Silence silence;
+    return !fileHandler()
+                .filePath(false, at(timeName), FieldType::typeName, true)
+                .empty();
+}
+
+template<class FieldType>
+bool FieldReader<FieldType>::absentAt(const word& timeName) const
+{
+    return !inSolver() && !onDisk(timeName);
 }
 
 template<class FieldType>
 std::string FieldReader<FieldType>::complaint(const word& timeName) const
 {
-    const regIOobject* registered =
-        source_ == FieldSource::solver ? mesh_.findObject<regIOobject>(name_) : nullptr;
-    if (registered)
+    if (inSolver())
     {
-        return isA<FieldType>(*registered)
+        const regIOobject& registered = mesh_.lookupObject<regIOobject>(name_);
+        return isA<FieldType>(registered)
                    ? ""
-                   : "Field " + name_ + " is a " + registered->type() + "; needed is a "
+                   : "Field " + name_ + " is a " + registered.type() + "; needed is a "
                          + FieldType::typeName + ".";
     }
 
     IOobject io(at(timeName));
     const std::string file = mesh_.time().relativePath(io.objectPath());
-    if (!isFile(io.objectPath()))
+    if (!onDisk(timeName))
     {
         return "There is no field " + name_ + " at time " + timeName + " (no file "
                + file + ").";
     }
     bool legible = false;
+    const std::string failure = failureOf(
+        [&]
+        {
+            const Silence silence;
+            legible = io.typeHeaderOk<FieldType>(false, true, false);
+        }
+    );
+    if (failure.find("'version'") != failure.npos)
     {
-        const Silence silence;
-        legible = io.typeHeaderOk<FieldType>(false, true, false);
+        return "File " + file
+               + " has no 'version' in its header, as files of the OpenFOAM "
+                 "Foundation: add 'version 2.0;' to the headers of a copy of the case, "
+                 "for instance by etc/addVersions of interfaceStability.";
     }
-    if (!legible)
+    if (!legible || !failure.empty())
     {
         return "File " + file + " has no legible header.";
     }
@@ -95,20 +148,24 @@ tmp<FieldType> FieldReader<FieldType>::get() const
 template<class FieldType>
 tmp<FieldType> FieldReader<FieldType>::read(const word& timeName) const
 {
-    const ThrowingErrors throwing;
-    // Patch fields may compute on values that are not finite; that is told later.
-    const sigFpe::ignore untrapped;
-    try
+    tmp<FieldType> field;
+    const std::string failure =
+        failureOf([&] { field = tmp<FieldType>(new FieldType(at(timeName), mesh_)); });
+    if (failure.empty())
     {
-        return tmp<FieldType>(new FieldType(at(timeName), mesh_));
+        return field;
     }
-    catch (const std::exception& failure)
+    if (!failureOf([&] { field = readValues<FieldType>(at(timeName), mesh_); }).empty())
     {
         throw BadInput(
-            "Field " + name_ + " of time " + timeName
-            + " cannot be read: " + describe(failure)
+            "Field " + name_ + " of time " + timeName + " cannot be read: " + failure
         );
     }
+    Info << "interfaceStability: a boundary condition of field " << name_ << " of time "
+         << timeName << " cannot be made (" << failure.c_str()
+         << "): the values of the patches are taken, or those of the cells" << nl
+         << endl;
+    return field;
 }
 
 template class FieldReader<volScalarField>;

@@ -6,6 +6,10 @@
 #include "foam/errors/Failures.H"
 #include "fvMesh.H"
 
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
 namespace Foam::stability
 {
 
@@ -103,13 +107,55 @@ void correctVelocity(
     }
 }
 
-// The values are those of all internal faces, then of all boundary faces, in the order
-// of the mesh.
-scalarField faceValues(const surfaceScalarField& field)
+// Beyond so much outside [0, 1] a volume fraction is told.
+constexpr scalar smallExcess = 0.01;
+
+// Beyond that much it is wrong, which no more than this share of the cells may be.
+constexpr scalar largeExcess = 0.1;
+constexpr scalar largestShare = 0.01;
+
+scalar excess(scalar alpha)
 {
-    scalarField values(field.primitiveField());
-    values.append(boundaryValues(field));
-    return values;
+    return max(-alpha, alpha - 1);
+}
+
+label nBeyond(const UList<scalar>& alphas, scalar limit)
+{
+    return std::count_if(
+        alphas.begin(), alphas.end(),
+        [&](scalar alpha) { return excess(alpha) > limit; }
+    );
+}
+
+// Values that are not finite stay; they are told elsewhere.
+void clip(scalarField& alphas)
+{
+    for (scalar& alpha : alphas)
+    {
+        if (std::isfinite(alpha))
+        {
+            alpha = min(max(alpha, scalar(0)), scalar(1));
+        }
+    }
+}
+
+// The worst of the cells, if it is to be told.
+std::string worst(const volScalarField& alpha)
+{
+    const scalarField& values = alpha.primitiveField();
+    label worst = -1;
+    forAll(values, i)
+    {
+        const bool worse = worst < 0 || excess(values[i]) > excess(values[worst]);
+        worst = excess(values[i]) > smallExcess && worse ? i : worst;
+    }
+    if (worst < 0)
+    {
+        return "";
+    }
+    std::ostringstream text;
+    text << values[worst] << " at " << textOf(alpha.mesh().cellCentres()[worst]);
+    return text.str();
 }
 
 } // namespace
@@ -139,17 +185,58 @@ MeshSnapshots::MeshSnapshots(
     );
 }
 
+// A solver that leaves [0, 1] in a few cells must not end the analysis.
+scalarField MeshSnapshots::clipped(const volScalarField& alpha)
+{
+    scalarField values(alpha.primitiveField());
+    const label nCells = messages_.total(values.size());
+    const label nFar = messages_.total(nBeyond(values, largeExcess));
+    if (nFar == 0 && toldClipped_)
+    {
+        clip(values);
+        return values;
+    }
+    const label nOutside = messages_.total(nBeyond(values, smallExcess));
+    if (nOutside == 0)
+    {
+        clip(values);
+        return values;
+    }
+    const std::string place(messages_.firstNonEmpty(worst(alpha)));
+    std::ostringstream found;
+    found << "Field " << alpha.name() << " at time " << alpha.time().timeName();
+    if (nFar > largestShare * nCells)
+    {
+        found << ": the volume fraction of " << nFar << " of " << nCells
+              << " cells is outside [0, 1] by more than " << largeExcess << ", such as "
+              << place << "; allowed is that in " << 100 * largestShare
+              << " % of the cells, which are clipped.";
+        throw BadInput(found.str());
+    }
+    if (!toldClipped_)
+    {
+        toldClipped_ = true;
+        Info << "interfaceStability: " << found.str().c_str()
+             << " is outside [0, 1] by "
+             << "more than " << smallExcess << " in " << nOutside << " cells, such as "
+             << place.c_str() << ": it is clipped. Told once." << nl << endl;
+    }
+    clip(values);
+    return values;
+}
+
 std::shared_ptr<FlowSnapshot> MeshSnapshots::take(
     const volScalarField& alpha, const volVectorField& U, scalar time,
-    const surfaceScalarField* phi
+    const FaceFluxes* phi
 )
 {
     const CellComplex& complex = *cells_.complex();
     auto snapshot = std::make_shared<FlowSnapshot>();
     snapshot->complex = cells_.complex();
     snapshot->time = time;
-    snapshot->alphas.setSize(1, cells_.cellValues(alpha.primitiveField()));
+    snapshot->alphas.setSize(1, cells_.cellValues(clipped(alpha)));
     snapshot->boundaryAlphas.setSize(1, cells_.boundaryValues(boundaryValues(alpha)));
+    clip(snapshot->boundaryAlphas[0]);
     correctAlpha(snapshot->boundaryAlphas[0], snapshot->alphas[0], complex);
     snapshot->U = cells_.cellValues(U.primitiveField());
     snapshot->boundaryU = cells_.boundaryValues(boundaryValues(U));
@@ -165,13 +252,13 @@ std::shared_ptr<FlowSnapshot> MeshSnapshots::take(
             {
                 fluxVelocity_ = std::make_unique<const FluxVelocity>(complex);
             }
-            snapshot->U = (*fluxVelocity_)(cells_.fluxes(faceValues(*phi)));
+            snapshot->U = (*fluxVelocity_)(cells_.fluxes(phi->values));
         }
         snapshot->check();
     }
     catch (const std::exception& bad)
     {
-        failure = "Fields " + alpha.name() + (phi ? ", " + phi->name() : "") + " and "
+        failure = "Fields " + alpha.name() + (phi ? ", " + phi->name : "") + " and "
                   + U.name() + " at time " + alpha.time().timeName() + ": "
                   + describe(bad);
     }

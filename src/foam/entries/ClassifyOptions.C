@@ -3,6 +3,7 @@
 #include "foam/entries/ClassifyOptions.H"
 
 #include "foam/entries/EntryReaders.H"
+#include "foam/errors/Failures.H"
 
 namespace Foam::stability
 {
@@ -23,9 +24,10 @@ scalar readInterval(const dictionary& dict, ClassifyControl control)
     const bool found = dict.found("classifyInterval", keyType::LITERAL);
     if (isTime && !found)
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'classifyInterval' is missing, which classifyControl "
-            << classifyControlNames()[control] << " needs." << exit(FatalIOError);
+        failOn(
+            dict, "Entry 'classifyInterval' is missing, which classifyControl "
+                      + classifyControlNames()[control] + " needs."
+        );
     }
     if (!isTime && found)
     {

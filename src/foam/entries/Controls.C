@@ -18,7 +18,8 @@ namespace
 
 const word dictName("interfaceStabilityDict");
 
-// The entries that OpenFOAM itself reads from the dictionary of any function object.
+// The entries that OpenFOAM itself, in one release or another, reads from the
+// dictionary of any function object.
 const wordList functionObjectEntries{
     "type",
     "libs",
@@ -38,7 +39,11 @@ const wordList functionObjectEntries{
     "writeControl",
     "writeInterval",
     "outputControl",
-    "outputInterval"};
+    "outputInterval",
+    "subRegion",
+    "useNamePrefix",
+    "useUserTime",
+    "updateHeader"};
 
 // OpenMP's own number follows OMP_NUM_THREADS, else it is that of the cores, of which
 // every rank has one.
@@ -79,6 +84,10 @@ Controls readControls(const dictionary& dict, Caller caller)
     if (dict.found("velocity", keyType::LITERAL))
     {
         controls.fields.velocity = readEnum(dict, "velocity", velocityNames());
+    }
+    else if (controls.fields.phi != entryRow("phi", EntryType::name).standard)
+    {
+        controls.fields.velocity = VelocityKind::flux; // no other name is meant in vain
     }
     controls.tracker = readTrackerOptions(dict, caller);
     controls.fields.files = {

@@ -2,6 +2,7 @@
 
 #include "foam/entries/EntryHelp.H"
 
+#include "core/base/Errors.H"
 #include "foam/entries/EntryTable.H"
 
 #include <algorithm>
@@ -61,11 +62,7 @@ std::string section(const std::string& title, bool (*isIn)(unsigned places))
 std::string within(const std::string& list, EntryPlace place)
 {
     const wordList names(entryNames(place));
-    return '\n'
-           + wrapped(
-               "", 0,
-               "Within " + list + ": " + listed({names.begin(), names.end()}) + '.'
-           );
+    return '\n' + wrapped("", 0, "Within " + list + ": " + listed(names) + '.');
 }
 
 } // namespace

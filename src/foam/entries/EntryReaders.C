@@ -2,6 +2,8 @@
 
 #include "foam/entries/EntryReaders.H"
 
+#include "core/base/Errors.H"
+#include "foam/errors/Failures.H"
 #include "HashSet.H"
 #include "StringStream.H"
 
@@ -56,6 +58,47 @@ word choose(
     return value;
 }
 
+bool isName(const token& t)
+{
+    return t.isWord() && t.wordToken() != "." && t.wordToken() != "..";
+}
+
+// Index of the token after a block in braces that begins at `i`; the number of tokens
+// where there is no such block.
+label behindBlock(const UList<token>& tokens, label i)
+{
+    label depth = 0;
+    for (; i < tokens.size(); ++i)
+    {
+        const token& t = tokens[i];
+        depth += t.isPunctuation() && t.pToken() == token::BEGIN_BLOCK;
+        depth -= t.isPunctuation() && t.pToken() == token::END_BLOCK;
+        if (depth == 0)
+        {
+            return i + 1;
+        }
+    }
+    return i;
+}
+
+// True for ( name {...} ... ). OpenFOAM's reader of such lists does not stand others.
+bool isListOfDictionaries(const UList<token>& tokens)
+{
+    const label n = tokens.size();
+    const auto isMark = [&](label i, token::punctuationToken mark)
+    { return i < n && tokens[i].isPunctuation() && tokens[i].pToken() == mark; };
+    if (n < 2 || !isMark(0, token::BEGIN_LIST) || !isMark(n - 1, token::END_LIST))
+    {
+        return false;
+    }
+    label i = 1;
+    while (i < n - 1 && isName(tokens[i]) && isMark(i + 1, token::BEGIN_BLOCK))
+    {
+        i = behindBlock(tokens, i + 1);
+    }
+    return i == n - 1;
+}
+
 } // namespace
 
 void checkKeys(const dictionary& dict, EntryPlace place, const wordList& others)
@@ -67,10 +110,10 @@ void checkKeys(const dictionary& dict, EntryPlace place, const wordList& others)
     {
         if (e.keyword() != "FoamFile" && !known.found(e.keyword()))
         {
-            FatalIOErrorInFunction(dict)
-                << "Unknown entry '" << e.keyword() << "'; allowed are "
-                << listed({allowed.begin(), allowed.end()}).c_str() << '.'
-                << exit(FatalIOError);
+            failOn(
+                dict, "Unknown entry '" + e.keyword() + "'; allowed are "
+                          + listed(allowed) + "."
+            );
         }
     }
 }
@@ -79,7 +122,11 @@ std::string given(const dictionary& dict, const word& key)
 {
     OStringStream os;
     const entry* e = dict.findEntry(key, keyType::LITERAL);
-    if (e && e->isStream())
+    if (e && e->isDict())
+    {
+        return "{...}";
+    }
+    if (e)
     {
         for (const token& t : e->stream())
         {
@@ -92,10 +139,10 @@ std::string given(const dictionary& dict, const word& key)
 [[noreturn]] void
 refuse(const dictionary& dict, const word& key, const std::string& allowed)
 {
-    FatalIOErrorInFunction(dict)
-        << "Entry '" << key << "' is '" << given(dict, key).c_str() << "'; allowed is "
-        << allowed.c_str() << '.' << exit(FatalIOError);
-    std::abort(); // not reached: exit() ends the program or throws
+    failOn(
+        dict,
+        "Entry '" + key + "' is '" + given(dict, key) + "'; allowed is " + allowed + "."
+    );
 }
 
 template<class Type>
@@ -157,6 +204,26 @@ word readName(const dictionary& dict, const word& key, std::optional<word> stand
         refuse(dict, key, allowedText(row.value));
     }
     return !value.empty() ? word(value) : standard ? *standard : word(row.standard);
+}
+
+std::vector<NamedEntries> readList(const dictionary& dict, const word& key)
+{
+    const EntryRow& row = entryRow(key, EntryType::list);
+    const entry* e = dict.findEntry(key, keyType::LITERAL);
+    std::vector<NamedEntries> all;
+    if (!e)
+    {
+        return all;
+    }
+    if (!e->isStream() || !isListOfDictionaries(e->stream()))
+    {
+        refuse(dict, key, allowedText(row.value));
+    }
+    for (const entry& one : PtrList<entry>(dict.lookup(key)))
+    {
+        all.push_back({one.keyword(), one.dict()});
+    }
+    return all;
 }
 
 } // namespace Foam::stability

@@ -2,6 +2,7 @@
 
 #include "foam/entries/EntryTable.H"
 
+#include "core/base/Errors.H"
 #include "core/parametrization/FlatteningMethods.H"
 #include "foam/entries/EntryChoices.H"
 #include "polyMesh.H"
@@ -214,16 +215,6 @@ wordList entryNames(EntryPlace place)
         }
     }
     return wordList(std::move(names));
-}
-
-std::string listed(const std::vector<std::string>& names)
-{
-    std::string list;
-    for (const std::string& name : names)
-    {
-        list += (list.empty() ? "" : ", ") + name;
-    }
-    return list;
 }
 
 std::string allowedText(const EntryValue& value)

@@ -10,14 +10,13 @@ namespace Foam::stability
 
 std::vector<Method> readMethods(const dictionary& dict)
 {
-    if (!dict.found("methods"))
+    if (!dict.found("methods", keyType::LITERAL))
     {
         return {{word::null, readControls(dict, Caller::utility)}};
     }
     std::vector<Method> methods;
-    for (const entry& e : PtrList<entry>(dict.lookup("methods")))
+    for (const auto& [name, entries] : readList(dict, "methods"))
     {
-        const word name(e.keyword());
         for (const Method& other : methods)
         {
             if (other.name == name)
@@ -28,16 +27,16 @@ std::vector<Method> readMethods(const dictionary& dict)
                 );
             }
         }
-        checkKeys(e.dict(), inMethods);
+        checkKeys(entries, inMethods);
         // Entries that belong together are given together.
         dictionary outer(dict);
         outer.remove("methods");
-        if (e.dict().found("reconstruction"))
+        if (entries.found("reconstruction"))
         {
             outer.remove("sharpening");
             outer.remove("volumeFit");
         }
-        const dictionary merged(overlaid(outer, e.dict()));
+        const dictionary merged(overlaid(outer, entries));
         methods.push_back({name, readControls(merged, Caller::utility)});
     }
     if (methods.size() < 2)

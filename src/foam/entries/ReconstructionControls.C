@@ -4,6 +4,7 @@
 
 #include "foam/entries/EntryChoices.H"
 #include "foam/entries/EntryReaders.H"
+#include "foam/errors/Failures.H"
 
 #include <algorithm>
 
@@ -17,9 +18,10 @@ Epsilon readEpsilon(const dictionary& dict, const word& reconstruction)
 {
     if (dict.found("epsilon") && dict.found("epsilonAbsolute"))
     {
-        FatalIOErrorInFunction(dict)
-            << "Entries 'epsilon' (in cells) and 'epsilonAbsolute' (in metres) are "
-            << "both given; allowed is one of them." << exit(FatalIOError);
+        failOn(
+            dict, "Entries 'epsilon' (in cells) and 'epsilonAbsolute' (in metres) are "
+                  "both given; allowed is one of them."
+        );
     }
     Epsilon epsilon;
     epsilon.relative = !dict.found("epsilonAbsolute");
@@ -89,10 +91,12 @@ std::string readFiles(const dictionary& dict, const std::string& method)
     const bool found = dict.found("files", keyType::LITERAL);
     if (found != reconstructionMethod(method).readsFiles)
     {
-        FatalIOErrorInFunction(dict
-        ) << "Entries 'files' and 'reconstruction fromFiles' belong together; found is "
-          << (found ? "'files' with the reconstruction " : "no 'files'")
-          << (found ? method.c_str() : "") << '.' << exit(FatalIOError);
+        failOn(
+            dict,
+            "Entries 'files' and 'reconstruction fromFiles' belong together; found is "
+                + (found ? "'files' with the reconstruction " + method : "no 'files'")
+                + "."
+        );
     }
     if (!found)
     {
@@ -138,17 +142,17 @@ dictionary overlaid(const dictionary& outer, const dictionary& inner)
 
 void readLater(const dictionary& dict, Caller caller, Controls& controls)
 {
-    if (!dict.found("reconstructions", keyType::LITERAL))
-    {
-        return;
-    }
     scalar before = -VGREAT;
-    for (const entry& e : PtrList<entry>(dict.lookup("reconstructions")))
+    for (const NamedEntries& one : readList(dict, "reconstructions"))
     {
-        const dictionary& later = e.dict();
+        const dictionary& later = one.entries;
         checkKeys(later, inReconstructions);
+        if (!later.found("from", keyType::LITERAL))
+        {
+            failOn(later, "Entry 'from' is missing in '" + one.name + "'.");
+        }
         ReconstructionFrom change;
-        change.from = later.get<scalar>("from");
+        change.from = readNumber<scalar>(later, "from");
         if (!(change.from > before))
         {
             refuse(later, "from", "a later time than that of the entry before");

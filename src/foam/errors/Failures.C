@@ -4,13 +4,16 @@
 
 #include "core/base/Errors.H"
 
-#include <new>
+#include "dictionary.H"
+
+#include <cstdlib>
 
 namespace Foam::stability
 {
 
 ThrowingErrors::ThrowingErrors()
-    : error_(FatalError.throwExceptions()), ioError_(FatalIOError.throwExceptions())
+    : error_(FatalError.throwExceptions()), ioError_(FatalIOError.throwExceptions()),
+      newHandler_(std::set_new_handler(nullptr))
 {
 }
 
@@ -18,6 +21,13 @@ ThrowingErrors::~ThrowingErrors()
 {
     FatalError.throwExceptions(error_);
     FatalIOError.throwExceptions(ioError_);
+    std::set_new_handler(newHandler_);
+}
+
+void failOn(const dictionary& dict, const std::string& sentence)
+{
+    FatalIOError("", "", 0, dict) << sentence.c_str() << exit(FatalIOError);
+    std::abort(); // not reached: exit() ends the program or throws
 }
 
 std::string failureOf(const std::function<void()>& work)
@@ -39,7 +49,7 @@ void exitOnFailure(const std::function<void()>& work)
     const std::string failure = failureOf(work);
     if (!failure.empty())
     {
-        FatalErrorInFunction << failure.c_str() << exit(FatalError);
+        FatalError("", "", 0) << failure.c_str() << exit(FatalError);
     }
 }
 

@@ -2,8 +2,11 @@
 
 #include "foam/functionObject/StartChecks.H"
 
+#include "core/base/Errors.H"
 #include "foam/case/CaseFields.H"
+#include "foam/entries/EntryReaders.H"
 #include "foam/errors/Failures.H"
+#include "foam/ranks/RankMessages.H"
 #include "fvMesh.H"
 
 #include <stdexcept>
@@ -11,17 +14,30 @@
 namespace Foam::stability
 {
 
+bool hasStepped(const Time& time)
+{
+    return time.timeIndex() > time.startTimeIndex();
+}
+
 const fvMesh& meshOf(const Time& runTime, const dictionary& dict)
 {
-    const word region(dict.getOrDefault<word>("region", polyMesh::defaultRegion));
+    word region(polyMesh::defaultRegion);
+    failureOf([&] { region = readName(dict, "region"); });
     const auto* mesh = runTime.findObject<fvMesh>(region);
-    if (!mesh)
+    return mesh ? *mesh
+                : runTime.lookupObject<fvMesh>(runTime.sortedNames<fvMesh>()[0]);
+}
+
+void checkRegion(const fvMesh& mesh, const dictionary& dict)
+{
+    if (mesh.name() == readName(dict, "region"))
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'region' is '" << region << "'; allowed is a mesh of this run: "
-            << flatOutput(runTime.sortedNames<fvMesh>()) << '.' << exit(FatalIOError);
+        return;
     }
-    return *mesh;
+    refuse(
+        dict, "region",
+        "a mesh of this run: " + listed(mesh.time().sortedNames<fvMesh>())
+    );
 }
 
 void checkFields(const fvMesh& mesh, const CaseOptions& options, const dictionary& dict)
@@ -42,13 +58,16 @@ void checkFields(const fvMesh& mesh, const CaseOptions& options, const dictionar
             {
                 throw std::runtime_error(missing);
             }
-            FaceFlux flux(mesh, options.phi, options.velocity, FieldSource::solver);
+            const RankMessages messages;
+            FaceFlux flux(
+                mesh, options.phi, options.velocity, FieldSource::solver, messages
+            );
             flux.choose(instantList());
         }
     );
     if (!failure.empty())
     {
-        FatalIOErrorInFunction(dict) << failure.c_str() << exit(FatalIOError);
+        failOn(dict, failure);
     }
 }
 

@@ -7,7 +7,6 @@
 #include "foam/errors/Failures.H"
 #include "foam/functionObject/StartChecks.H"
 #include "fvMesh.H"
-#include "sigFpe.H"
 
 namespace Foam
 {
@@ -32,18 +31,21 @@ interfaceStability::interfaceStability(
       writeFile(mesh_, name, typeName)
 {
     const stability::ScopedTimer busy(cost_.seconds());
-    readFirst(dict);
     // A condition of runTimeControl holds where its value does not exist.
     publish(stability::Statistics());
     for (const char* fraction : {"stableFraction", "keptFraction", "coverage"})
     {
         setResult(word(fraction), scalar(1));
     }
-    if (!postProcess)
+    if (!stability::hasStepped(time_))
     {
-        stability::checkFields(mesh_, controls_.fields, dict);
+        readFirst(dict);
     }
-    if (stability::beginsNow(time_, dict))
+    else
+    {
+        tryToRead(dict);
+    }
+    if (ready() && stability::beginsNow(time_, dict))
     {
         advance();
     }
@@ -58,12 +60,29 @@ interfaceStability::~interfaceStability()
 void interfaceStability::readFirst(const dictionary& dict)
 {
     fvMeshFunctionObject::read(dict);
+    stability::checkRegion(mesh_, dict);
     controls_ = stability::readControls(dict, stability::Caller::functionObject);
+    if (!postProcess)
+    {
+        stability::checkFields(mesh_, controls_.fields, dict);
+    }
     everyWrite_ = dict.found("writeControl") || dict.found("outputControl");
-    schedule_ =
-        std::make_unique<stability::ClassifySchedule>(time_, controls_.classify);
     writeToFile_ = controls_.writeToFile && Pstream::master();
     writePrecision_ = controls_.writePrecision;
+    schedule_ =
+        std::make_unique<stability::ClassifySchedule>(time_, controls_.classify);
+}
+
+// A mistake of a function object that is added to a running solver ends no job.
+void interfaceStability::tryToRead(const dictionary& dict)
+{
+    const std::string failure = stability::failureOf([&] { readFirst(dict); });
+    if (!failure.empty())
+    {
+        Warning << type() << ' ' << name() << ": " << failure.c_str() << nl
+                << "    The solver goes on without analysis until the entry is right."
+                << endl;
+    }
 }
 
 void interfaceStability::readAgain(const dictionary& dict)
@@ -96,7 +115,14 @@ void interfaceStability::readAgain(const dictionary& dict)
 // Later readings find a job that runs.
 bool interfaceStability::read(const dictionary& dict)
 {
-    readAgain(dict);
+    if (ready())
+    {
+        readAgain(dict);
+    }
+    else
+    {
+        tryToRead(dict);
+    }
     return true;
 }
 
@@ -111,8 +137,6 @@ void interfaceStability::guarded(const std::function<void()>& work)
     {
         return;
     }
-    // Trapped exceptions would end the solver; results are tested to be finite.
-    const sigFpe::ignore untrapped;
     const std::string failure = stability::failureOf(work);
     if (failure.empty())
     {
@@ -160,7 +184,6 @@ void interfaceStability::advance()
 
 void interfaceStability::begin()
 {
-    const sigFpe::ignore untrapped;
     const std::string failure = stability::failureOf(
         [&]
         {
@@ -205,6 +228,10 @@ void interfaceStability::publish(const stability::Statistics& statistics)
 bool interfaceStability::execute()
 {
     const stability::ScopedTimer busy(cost_.seconds());
+    if (!ready())
+    {
+        return true;
+    }
     bool due = schedule_->due();
     advance();
     if (controls_.classify.displacement > 0)
@@ -223,6 +250,10 @@ bool interfaceStability::execute()
 bool interfaceStability::write()
 {
     const stability::ScopedTimer busy(cost_.seconds());
+    if (!ready())
+    {
+        return true;
+    }
     const bool asWritten = schedule_->asWritten() && (everyWrite_ || time_.writeTime());
     if (asWritten || postProcess)
     {
@@ -240,7 +271,7 @@ bool interfaceStability::end()
 
 void interfaceStability::finish()
 {
-    if (finished_)
+    if (finished_ || !ready())
     {
         return;
     }
@@ -259,7 +290,10 @@ void interfaceStability::finish()
 
 bool interfaceStability::adjustTimeStep()
 {
-    schedule_->adjustTimeStep(const_cast<Time&>(time_));
+    if (ready())
+    {
+        schedule_->adjustTimeStep(const_cast<Time&>(time_));
+    }
     return true;
 }
 
@@ -267,7 +301,7 @@ void interfaceStability::updateMesh(const mapPolyMesh&)
 {
     if (session_)
     {
-        session_->meshChanged();
+        session_->meshChanged(true);
     }
 }
 
@@ -275,7 +309,7 @@ void interfaceStability::movePoints(const polyMesh&)
 {
     if (session_)
     {
-        session_->meshChanged();
+        session_->meshChanged(false);
     }
 }
 

@@ -41,8 +41,9 @@ Usage
     same flow, with results in postProcessing/interfaceStability_\<name\>, and
     methods.dat in postProcessing/interfaceStability/\<startTime\> compares them.
 
-    On static meshes without empty or wedge patches; surfaces and pathlines go on
-    behind cyclic ones. In parallel with -parallel, on a decomposed case.
+    On static meshes, two-dimensional ones and wedges among them; surfaces and
+    pathlines go on behind cyclic patches. In parallel with -parallel, on a decomposed
+case.
 
 \*---------------------------------------------------------------------------*/
 
@@ -50,7 +51,7 @@ Usage
 #include "core/base/Version.H"
 #include "foam/AnalysisSession.H"
 #include "foam/entries/EntryHelp.H"
-#include "foam/entries/EntryTable.H"
+#include "foam/entries/EntryReaders.H"
 #include "foam/entries/Methods.H"
 #include "foam/errors/Failures.H"
 #include "foam/MethodComparison.H"
@@ -78,7 +79,7 @@ fileName resultFolder(const fvMesh& mesh, const word& name)
 
 // One method over all times. Returns where what compares it with others belongs.
 fileName analyse(
-    Time& runTime, fvMesh& mesh, const instantList& times,
+    Time& runTime, fvMesh& mesh, const instantList& selected,
     const stability::Method& method, stability::MethodScore& score
 )
 {
@@ -86,10 +87,7 @@ fileName analyse(
         method.name.empty() ? folderName : word(folderName + '_' + method.name)
     );
     std::optional<stability::AnalysisSession> session;
-    if (!times.empty())
-    {
-        runTime.setTime(times.first(), 0);
-    }
+    instantList times;
     fileName results;
     stability::exitOnFailure(
         [&]
@@ -98,17 +96,18 @@ fileName analyse(
                 mesh, method.controls, resultFolder(mesh, name),
                 stability::FieldSource::disk
             );
-            session->expect(times);
-            results = session->resultPath();
+            times = session->select(selected);
         }
     );
     forAll(times, timei)
     {
         runTime.setTime(times[timei], timei);
-        if (mesh.readUpdate() != polyMesh::UNCHANGED)
+        const polyMesh::readUpdateState state = mesh.readUpdate();
+        if (state != polyMesh::UNCHANGED)
         {
-            session->meshChanged();
+            session->meshChanged(state != polyMesh::POINTS_MOVED);
         }
+        results = timei == 0 ? session->resultPath() : results;
         stability::exitOnFailure(
             [&]
             {
@@ -165,16 +164,18 @@ int main(int argc, char* argv[])
         runTime.setTime(times.first(), 0);
     }
 
-    const dictionary dict(stability::findControlsDict(
-        runTime, args.get<fileName>("dict", ""), args.get<word>("region", "")
-    ));
-    const std::vector<stability::Method> methods(stability::readMethods(dict));
-    const word region(args.get<word>(
-        "region",
-        dict.getOrDefault<word>(
-            "region", stability::entryRow("region", stability::EntryType::name).standard
-        )
-    ));
+    std::vector<stability::Method> methods;
+    word region;
+    stability::exitOnFailure(
+        [&]
+        {
+            const dictionary dict(stability::findControlsDict(
+                runTime, args.get<fileName>("dict", ""), args.get<word>("region", "")
+            ));
+            methods = stability::readMethods(dict);
+            region = args.get<word>("region", stability::readName(dict, "region"));
+        }
+    );
     fvMesh mesh(IOobject(region, runTime.timeName(), runTime, IOobject::MUST_READ));
 
     stability::MethodComparison comparison;

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "foam/case/CaseChecks.H"
+
+#include "core/base/Errors.H"
+#include "IOdictionary.H"
+#include "fvMesh.H"
+#include "processorPolyPatch.H"
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+void refuseOnePart(const fvMesh& mesh)
+{
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if (isA<processorPolyPatch>(patch) && !UPstream::parRun())
+        {
+            throw BadInput(
+                "The case " + mesh.time().caseName()
+                + " is one part of a decomposed case (its patch " + patch.name()
+                + " leads to another): run 'mpirun -np <number of parts> "
+                  "interfaceStability -parallel' on the whole, or reconstructPar first."
+            );
+        }
+    }
+}
+
+void refuseLocalTimeSteps(const fvMesh& mesh)
+{
+    const auto* schemes = mesh.findObject<IOdictionary>("fvSchemes");
+    const dictionary inTime(
+        schemes ? schemes->subOrEmptyDict("ddtSchemes") : dictionary()
+    );
+    const entry* standard = inTime.findEntry("default");
+    if (standard && standard->isStream() && !standard->stream().empty()
+        && standard->stream()[0].isWord()
+        && standard->stream()[0].wordToken() == "localEuler")
+    {
+        throw BadInput(
+            "The times of this case are iterations: ddtSchemes has 'default "
+            "localEuler', by which each cell has a time step of its own, so that "
+            "nothing can be followed with the flow; allowed are schemes with one time "
+            "for all cells."
+        );
+    }
+}
+
+// The area vectors of the faces of a closed cell have no sum, whatever its shape.
+void refuseOpenCells(const fvMesh& mesh)
+{
+    constexpr scalar roundOff = 1e-6;
+    vectorField sums(mesh.nCells(), Zero);
+    scalarField sizes(mesh.nCells(), Zero);
+    const auto add = [&](label celli, const vector& area)
+    {
+        sums[celli] += area;
+        sizes[celli] += mag(area);
+    };
+    const vectorField& areas = mesh.faceAreas();
+    forAll(areas, facei)
+    {
+        add(mesh.faceOwner()[facei], areas[facei]);
+        if (mesh.isInternalFace(facei))
+        {
+            add(mesh.faceNeighbour()[facei], -areas[facei]);
+        }
+    }
+    forAll(sums, celli)
+    {
+        if (!(mag(sums[celli]) <= roundOff * sizes[celli]))
+        {
+            throw BadInput(
+                "Cell " + std::to_string(celli) + " of the mesh, at "
+                + textOf(mesh.cellCentres()[celli])
+                + ", is not closed by its faces: checkMesh tells more."
+            );
+        }
+    }
+}
+
+} // namespace
+
+void checkCase(const fvMesh& mesh, const Exchange& exchange)
+{
+    runOnAllRanks(
+        exchange,
+        [&]
+        {
+            refuseOnePart(mesh);
+            refuseLocalTimeSteps(mesh);
+            refuseOpenCells(mesh);
+        }
+    );
+}
+
+} // namespace Foam::stability
