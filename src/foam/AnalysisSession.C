@@ -39,15 +39,19 @@ AnalysisSession::AnalysisSession(
     FieldSource source
 )
     : mesh_(mesh), controls_(controls), resultFolder_(folder),
-      snapshots_(checked(mesh), controls.fields, controls.tracker, source, messages_),
-      tracker_(observed(controls.tracker), messages_), points_(mesh.points())
+      tracker_(observed(controls.tracker), messages_)
 {
-}
-
-const fvMesh& AnalysisSession::checked(const fvMesh& mesh) const
-{
-    checkCase(mesh, messages_);
-    return mesh;
+    runOnAllRanks(
+        messages_,
+        [&]
+        {
+            checkCase(mesh, messages_);
+            snapshots_ = std::make_unique<CaseSnapshots>(
+                mesh, controls.fields, controls.tracker, source, messages_
+            );
+            points_ = mesh.points();
+        }
+    );
 }
 
 TrackerOptions AnalysisSession::observed(const TrackerOptions& options)
@@ -65,7 +69,8 @@ void AnalysisSession::enter(Phase phase)
 
 instantList AnalysisSession::select(const instantList& all)
 {
-    const instantList times(snapshots_.select(all));
+    instantList times;
+    runOnAllRanks(messages_, [&] { times = snapshots_->select(all); });
     progress_.expect(times.size());
     times_ = times;
     return times;
@@ -93,7 +98,7 @@ std::shared_ptr<const FlowSnapshot> AnalysisSession::takeSnapshot()
 {
     const ScopedTimer busy(timings_.reading);
     runOnAllRanks(messages_, [&] { enter(Phase::reading); });
-    return snapshots_.take();
+    return snapshots_->take();
 }
 
 fileName AnalysisSession::resultPath() const
@@ -114,7 +119,7 @@ void AnalysisSession::prepareResults()
             }
         );
         series_ = std::make_unique<ResultSeries>(
-            path_, controls_.surfaceParts, snapshots_.section(), messages_
+            path_, controls_.surfaceParts, snapshots_->section(), messages_
         );
     }
 }
@@ -128,7 +133,7 @@ void AnalysisSession::takeStep()
 {
     const ScopedTimer busy(busySeconds_);
     phase_ = Phase::reading;
-    time_ = snapshots_.time();
+    time_ = snapshots_->time();
     if (meshChanged_)
     {
         throw BadInput(
@@ -145,7 +150,7 @@ void AnalysisSession::takeStep()
         prepareResults();
         tracker_.start(std::move(snapshot));
         tellStart(
-            mesh_, snapshots_, controls_, times_, controls_.writeToFile ? path_ : "",
+            mesh_, *snapshots_, controls_, times_, controls_.writeToFile ? path_ : "",
             progress_.shown()
         );
     }

@@ -172,6 +172,7 @@ void FaceFlux::turnSides(scalarField& values)
 {
     const label nInternal = mesh_.nInternalFaces();
     scalarField others(SubList<scalar>(values, mesh_.nFaces() - nInternal, nInternal));
+    exchange_.meet();
     syncTools::swapBoundaryFaceList(mesh_, others);
     scalar sum = 0, ofSums = 0, ofDifferences = 0;
     DynamicList<label> turned; // faces of which this rank has the neighbour's side

@@ -9,8 +9,6 @@
 #include "foam/ranks/RankMessages.H"
 #include "fvMesh.H"
 
-#include <stdexcept>
-
 namespace Foam::stability
 {
 
@@ -40,6 +38,36 @@ void checkRegion(const fvMesh& mesh, const dictionary& dict)
     );
 }
 
+namespace
+{
+
+// The sentence on what is wrong with the fields on this rank.
+std::string complaint(const fvMesh& mesh, const CaseOptions& options)
+{
+    try
+    {
+        return CaseFields(mesh, options.alpha, options.U, FieldSource::solver)
+            .missing();
+    }
+    catch (const BadInput& mistake)
+    {
+        return mistake.what();
+    }
+}
+
+// Throws BadInput on all ranks for a mistake, another exception for any other failure.
+void requireFields(const fvMesh& mesh, const CaseOptions& options)
+{
+    const RankMessages messages;
+    std::string mistake;
+    runOnAllRanks(messages, [&] { mistake = complaint(mesh, options); });
+    messages.throwIfAny<BadInput>(mistake);
+    FaceFlux flux(mesh, options.phi, options.velocity, FieldSource::solver, messages);
+    flux.choose(instantList());
+}
+
+} // namespace
+
 void checkFields(const fvMesh& mesh, const CaseOptions& options, const dictionary& dict)
 {
     // Without any field the solver has not made them yet.
@@ -47,27 +75,23 @@ void checkFields(const fvMesh& mesh, const CaseOptions& options, const dictionar
     {
         return;
     }
-    const std::string failure = failureOf(
+    std::string mistake;
+    failureOf( // whose text, on a lack of memory and the like, the analysis will tell
         [&]
         {
-            const CaseFields fields(
-                mesh, options.alpha, options.U, FieldSource::solver
-            );
-            const std::string missing = fields.missing();
-            if (!missing.empty())
+            try
             {
-                throw std::runtime_error(missing);
+                requireFields(mesh, options);
             }
-            const RankMessages messages;
-            FaceFlux flux(
-                mesh, options.phi, options.velocity, FieldSource::solver, messages
-            );
-            flux.choose(instantList());
+            catch (const BadInput& bad)
+            {
+                mistake = bad.what();
+            }
         }
     );
-    if (!failure.empty())
+    if (!mistake.empty())
     {
-        failOn(dict, failure);
+        failOn(dict, mistake);
     }
 }
 

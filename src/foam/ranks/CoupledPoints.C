@@ -10,9 +10,10 @@ namespace Foam::stability
 {
 
 CoupledPoints::CoupledPoints(
-    const polyMesh& mesh, const CellComplexInput& own, const Exchange& exchange
+    const polyMesh& mesh, const CellComplexInput& own, const RankMessages& messages
 )
-    : mesh_(mesh), own_(own), exchange_(exchange), local_(own.points.size())
+    : mesh_(mesh), own_(own), exchange_(messages),
+      local_(messages.numbersOf(own.points.size()))
 {
 }
 
@@ -77,6 +78,7 @@ void CoupledPoints::spreadLowest(List<Value>& values, bool throughCyclic) const
     visitFaces(
         true, [&](const face& f, label) { mostPoints = max(mostPoints, f.size()); }
     );
+    exchange_.meet();
     reduce(mostPoints, maxOp<label>());
     bool changed = true;
     while (exchange_.total(changed) > 0)
@@ -89,6 +91,7 @@ void CoupledPoints::spreadLowest(List<Value>& values, bool throughCyclic) const
                 throughCyclic,
                 [&](const face& f, label i) { onFaces[i] = values[f[k % f.size()]]; }
             );
+            exchange_.meet();
             syncTools::syncBoundaryFaceList(mesh_, onFaces, take, asTheyAre);
             visitFaces(
                 throughCyclic,

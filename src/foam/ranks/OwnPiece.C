@@ -92,11 +92,12 @@ labelList globalNumbers(const globalIndex& numbers)
 }
 
 void findBehind(
-    const fvMesh& mesh, const CyclicPatches& cyclic, const PeriodicImages* images,
-    CellComplexInput& own
+    const fvMesh& mesh, const RankMessages& messages, const CyclicPatches& cyclic,
+    const PeriodicImages* images, CellComplexInput& own
 )
 {
     labelList behind;
+    messages.meet();
     syncTools::swapBoundaryCellList(mesh, own.globalCells, behind);
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
@@ -175,7 +176,7 @@ OwnPiece ownPiece(
         homes.points = points.homePoints(own.globalPoints);
         homes.places = points.homesOf(own.globalPoints, homes.points);
     }
-    findBehind(mesh, cyclic, piece.images.get(), own);
+    findBehind(mesh, messages, cyclic, piece.images.get(), own);
     messages.throwIfAny<BadInput>(failureOf(
         [&]
         {
@@ -197,7 +198,7 @@ OwnPiece ownPiece(
             }
         }
     ));
-    own.globalBoundaryFaces = globalNumbers(globalIndex(own.kinds.size()));
+    own.globalBoundaryFaces = globalNumbers(messages.numbersOf(own.kinds.size()));
     return piece;
 }
 

@@ -32,12 +32,13 @@ RankCells::RankCells(
     const fvMesh& mesh, const RankMessages& messages, const FetchReach& reach,
     const wordHashSet& walls
 )
-    : messages_(messages), nOwn_(mesh.nCells()), cellNumbers_(mesh.nCells()),
+    : messages_(messages), nOwn_(mesh.nCells()),
+      cellNumbers_(messages.numbersOf(mesh.nCells())),
       openCoupled_(openCoupledPatches(mesh, messages))
 {
     const OwnPiece piece(ownPiece(mesh, cellNumbers_, messages, walls));
     const CellComplexInput& own = piece.cells;
-    boundaryNumbers_ = globalIndex(own.kinds.size());
+    boundaryNumbers_ = messages.numbersOf(own.kinds.size());
     meshBoundary_.setSize(own.kinds.size());
     forAll(meshBoundary_, i)
     {

@@ -38,6 +38,12 @@ label RankMessages::rank() const
     return UPstream::parRun() ? UPstream::myProcNo(communicator_) : 0;
 }
 
+globalIndex RankMessages::numbersOf(label size) const
+{
+    meet();
+    return globalIndex(size);
+}
+
 std::vector<Packet> RankMessages::send(std::vector<Packet> toRanks) const
 {
     std::vector<Packet> fromRanks(nRanks());
