@@ -33,7 +33,7 @@ gathered(const std::vector<ParametrizationFallback>& here, const Exchange& excha
         mine.put(fallback.patch);
         mine.put(fallback.nTriangles);
         mine.put(fallback.centre);
-        mine.putList(List<char>(fallback.what.begin(), fallback.what.end()));
+        mine.putString(fallback.what);
     }
     std::vector<ParametrizationFallback> all;
     for (Packet& packet : exchange.toMaster(std::move(mine)))
@@ -44,8 +44,7 @@ gathered(const std::vector<ParametrizationFallback>& here, const Exchange& excha
             fallback.patch = packet.get<label>();
             fallback.nTriangles = packet.get<label>();
             fallback.centre = packet.get<point>();
-            const List<char> text(packet.getList<char>());
-            fallback.what.assign(text.begin(), text.end());
+            fallback.what = packet.getString();
             all.push_back(std::move(fallback));
         }
     }

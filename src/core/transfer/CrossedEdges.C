@@ -141,8 +141,8 @@ label CrossedEdges::insertVertex(
 
 void CrossedEdges::traceAll()
 {
-    const List<triFace> triangles(triangles_.begin(), triangles_.end());
-    const SurfaceTopology topology(vertices_.size(), triangles);
+    const UList<triFace> triangles(triangles_.data(), label(triangles_.size()));
+    const SurfaceTopology topology(label(vertices_.size()), triangles);
     std::vector<Edge> edges;
     std::vector<char> boundary;
     for (const SurfaceEdge& edge : topology.edges())

@@ -294,7 +294,7 @@ void SeamCutting::countParts()
         result_.nSplit += around_.own[i] && nParts[i] > 1;
     }
     result_.nUnresolved = cuts_.nUnresolved(around_.own);
-    result_.parents = labelList(parents_.begin(), parents_.end());
+    result_.parents = UList<label>(parents_.data(), label(parents_.size()));
 }
 
 void SeamCutting::writeBack()

@@ -49,7 +49,7 @@ const wordList functionObjectEntries{
 // every rank has one.
 label defaultThreads()
 {
-    const bool alone = UPstream::parRun() && !env("OMP_NUM_THREADS");
+    const bool alone = UPstream::parRun() && getEnv("OMP_NUM_THREADS").empty();
     return alone ? 1 : omp_get_max_threads();
 }
 

@@ -97,11 +97,10 @@ std::string RankMessages::firstNonEmpty(const std::string& failure) const
     Packet packet;
     if (rank() == first)
     {
-        packet.putList(List<char>(failure.begin(), failure.end()));
+        packet.putString(failure);
     }
     std::vector<Packet> toRanks(nRanks(), packet);
-    const List<char> text(send(std::move(toRanks))[first].getList<char>());
-    return std::string(text.begin(), text.end());
+    return send(std::move(toRanks))[first].getString();
 }
 
 } // namespace Foam::stability
