@@ -3,7 +3,7 @@
 # What the parts built by CMake need of the loaded OpenFOAM: the target OpenFOAM (its
 # base headers and library, with wmake's definitions) and our own warnings.
 
-foreach(name WM_PROJECT_DIR FOAM_LIBBIN FOAM_USER_LIBBIN FOAM_USER_APPBIN)
+foreach(name WM_PROJECT_DIR FOAM_LIBBIN FOAM_MODULE_LIBBIN FOAM_MODULE_APPBIN)
     if("$ENV{${name}}" STREQUAL "")
         message(FATAL_ERROR "${name} is not set: source OpenFOAM's etc/bashrc first.")
     endif()
@@ -43,8 +43,10 @@ target_compile_options(OpenFOAM INTERFACE
     -Wall -Wextra -Wno-unused-parameter -ffp-contract=off
     # What the optimizer suspects where OpenFOAM's lists are inlined into our code.
     -Wno-alloc-size-larger-than -Wno-array-bounds -Wno-stringop-overflow)
-if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION MATCHES "^12\\.")
-    target_compile_options(OpenFOAM INTERFACE -Werror -Wno-error=uninitialized -Wno-error=maybe-uninitialized)
+# Alltest has STABILITY_ERRORS=-Werror in the environment.
+if(NOT "$ENV{STABILITY_ERRORS}" STREQUAL "")
+    target_compile_options(OpenFOAM INTERFACE
+        $ENV{STABILITY_ERRORS} -Wno-error=uninitialized -Wno-error=maybe-uninitialized)
 endif()
 target_link_directories(OpenFOAM INTERFACE
     $ENV{FOAM_LIBBIN} $ENV{FOAM_LIBBIN}/$ENV{FOAM_MPI})
@@ -52,5 +54,5 @@ target_link_libraries(OpenFOAM INTERFACE libOpenFOAM.so dl OpenMP::OpenMP_CXX)
 
 # The core as wmake built it.
 add_library(core INTERFACE)
-target_link_directories(core INTERFACE $ENV{FOAM_USER_LIBBIN})
+target_link_directories(core INTERFACE $ENV{FOAM_MODULE_LIBBIN})
 target_link_libraries(core INTERFACE libinterfaceStabilityCore.so OpenFOAM)

@@ -13,19 +13,17 @@
 #include <vtkStringArray.h>
 #include <vtkTypeInt32Array.h>
 #include <vtkUnsignedCharArray.h>
-#include <vtkXMLDataElement.h>
 #include <vtkXMLPolyDataWriter.h>
-#include <vtkXMLUtilities.h>
 
 #include "vtk/NoFloatingPointTraps.H"
 #include "vtk/VtpWriter.H"
 
 #include "core/results/ParameterTexture.H"
+#include "core/results/PieceList.H"
 #include "core/base/FileReplacement.H"
 #include "core/base/Version.H"
 
 #include <algorithm>
-#include <sstream>
 #include <stdexcept>
 
 namespace Foam::stability
@@ -83,11 +81,6 @@ vtkSmartPointer<vtkDataArray> filled(const PointArray& array, label nPoints)
         );
     }
     return result;
-}
-
-bool isTexture(const PointArray& array)
-{
-    return array.name == "TCoords" && array.nComponents == 2;
 }
 
 void addArray(vtkPolyData& data, const PointArray& array, label nPoints)
@@ -178,23 +171,6 @@ vtkSmartPointer<vtkPolyData> polyData(const ResultSurface& surface)
     );
 }
 
-vtkSmartPointer<vtkXMLDataElement>
-addElement(vtkXMLDataElement& parent, const std::string& name)
-{
-    auto element = vtkSmartPointer<vtkXMLDataElement>::New();
-    element->SetName(name.c_str());
-    parent.AddNestedElement(element);
-    return element;
-}
-
-void declare(vtkXMLDataElement& parent, const PointArray& array)
-{
-    auto element = addElement(parent, "PDataArray");
-    element->SetAttribute("type", array.integer ? "Int32" : "Float64");
-    element->SetAttribute("Name", array.name.c_str());
-    element->SetIntAttribute("NumberOfComponents", array.nComponents);
-}
-
 class VtpWriter : public ResultWriter
 {
 public:
@@ -224,32 +200,7 @@ public:
         const std::vector<std::string>& pieces
     ) const override
     {
-        vtkNew<vtkXMLDataElement> file;
-        file->SetName("VTKFile");
-        file->SetAttribute("type", "PPolyData");
-        file->SetAttribute("version", "1.0");
-        file->SetAttribute("byte_order", "LittleEndian");
-        auto whole = addElement(*file, "PPolyData");
-        whole->SetIntAttribute("GhostLevel", 0);
-        auto values = addElement(*whole, "PPointData");
-        for (const PointArray& array : aPiece.arrays)
-        {
-            if (isTexture(array))
-            {
-                values->SetAttribute("TCoords", array.name.c_str());
-            }
-            declare(*values, array);
-        }
-        declare(*addElement(*whole, "PPoints"), {"Points", 3, false, {}});
-        for (const std::string& piece : pieces)
-        {
-            addElement(*whole, "Piece")->SetAttribute("Source", piece.c_str());
-        }
-        std::ostringstream text;
-        text << "<?xml version=\"1.0\"?>\n";
-        vtkIndent indent;
-        vtkXMLUtilities::FlattenElement(file, text, &indent);
-        replaceFile(path, text.str());
+        replaceFile(path, pieceList(aPiece, pieces));
     }
 
     void writeTexture(const std::string& path, int size) const override

@@ -436,7 +436,8 @@ TEST(TwoDimensions, aSphereInAWedgeIsDrawnOut)
         const auto shape = [&](const point& x) { return ellipse(time, x); };
         return shared(snapshotWith(
             shapes::snapshotOf(complex, shapes::sectionAlpha(*complex, shape)),
-            [&](const point& x) { return rate * vector(x.x() - 14.3, -0.5 * x.y(), 0); },
+            [&](const point& x)
+            { return rate * vector(x.x() - 14.3, -0.5 * x.y(), 0); },
             time
         ));
     };
