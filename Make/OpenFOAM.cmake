@@ -3,9 +3,17 @@
 # What the parts built by CMake need of the loaded OpenFOAM: the target OpenFOAM (its
 # base headers and library, with wmake's definitions) and our own warnings.
 
-foreach(name WM_PROJECT_DIR FOAM_LIBBIN FOAM_MODULE_LIBBIN FOAM_MODULE_APPBIN)
+foreach(name WM_PROJECT_DIR FOAM_LIBBIN FOAM_USER_LIBBIN FOAM_USER_APPBIN)
     if("$ENV{${name}}" STREQUAL "")
         message(FATAL_ERROR "${name} is not set: source OpenFOAM's etc/bashrc first.")
+    endif()
+endforeach()
+
+# Where libraries and programs go; Allwmake sets them.
+foreach(name LIBBIN APPBIN)
+    set(FOAM_MODULE_${name} "$ENV{FOAM_MODULE_${name}}")
+    if(NOT FOAM_MODULE_${name})
+        set(FOAM_MODULE_${name} "$ENV{FOAM_USER_${name}}")
     endif()
 endforeach()
 
@@ -54,5 +62,5 @@ target_link_libraries(OpenFOAM INTERFACE libOpenFOAM.so dl OpenMP::OpenMP_CXX)
 
 # The core as wmake built it.
 add_library(core INTERFACE)
-target_link_directories(core INTERFACE $ENV{FOAM_MODULE_LIBBIN})
+target_link_directories(core INTERFACE ${FOAM_MODULE_LIBBIN})
 target_link_libraries(core INTERFACE libinterfaceStabilityCore.so OpenFOAM)

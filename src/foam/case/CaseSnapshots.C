@@ -75,14 +75,12 @@ std::vector<wordList> fromAllRanks(const wordList& names, const Exchange& exchan
     {
         text << name << ' ';
     }
-    const std::string mine = text.str();
     Packet packet;
-    packet.putList(List<char>(mine.begin(), mine.end()));
+    packet.putString(text.str());
     std::vector<wordList> all;
     for (Packet& one : exchange.toAll(packet))
     {
-        const List<char> letters(one.getList<char>());
-        std::istringstream words(std::string(letters.begin(), letters.end()));
+        std::istringstream words(one.getString());
         DynamicList<word> found;
         for (std::string name; words >> name;)
         {
