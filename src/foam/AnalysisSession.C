@@ -119,7 +119,8 @@ void AnalysisSession::prepareResults()
             }
         );
         series_ = std::make_unique<ResultSeries>(
-            path_, controls_.surfaceParts, snapshots_->section(), messages_
+            path_, folder_ ? &folder_->files() : nullptr, controls_.surfaceParts,
+            snapshots_->section(), messages_
         );
     }
 }
@@ -284,16 +285,22 @@ void AnalysisSession::tellMessages() const
     }
 }
 
-void AnalysisSession::complete() const
+void AnalysisSession::complete()
 {
     if (messages_.nRanks() > 1)
     {
         tellMessages();
     }
-    if (folder_ && nClassified_ > 0)
-    {
-        folder_->complete();
-    }
+    runOnMaster(
+        messages_,
+        [&]
+        {
+            if (folder_ && nClassified_ > 0)
+            {
+                folder_->files().complete();
+            }
+        }
+    );
 }
 
 } // namespace Foam::stability

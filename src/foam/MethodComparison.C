@@ -2,12 +2,11 @@
 
 #include "foam/MethodComparison.H"
 
+#include "core/base/FileOperations.H"
 #include "foam/results/ResultTable.H"
-#include "OSspecific.H"
 
 #include <iomanip>
 #include <sstream>
-#include <stdexcept>
 
 namespace Foam::stability
 {
@@ -20,10 +19,7 @@ void MethodComparison::write(const fileName& folder) const
     {
         table.addRow(score);
     }
-    if (!mkDir(folder))
-    {
-        throw std::runtime_error("Cannot make the folder " + folder + ".");
-    }
+    makeFolders(folder);
     table.write(folder);
 }
 

@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include <sys/stat.h>
-#include <unistd.h>
 
 namespace Foam::stability
 {
@@ -44,7 +43,7 @@ void replaceFile(const std::string& path, const void* bytes, std::size_t size)
         fail(path, EISDIR);
     }
 
-    const std::string temporary = path + "." + std::to_string(::getpid()) + ".tmp";
+    const std::string temporary = path + temporaryEnding;
     std::FILE* file = std::fopen(temporary.c_str(), "wb");
     if (!file)
     {
@@ -65,6 +64,16 @@ void replaceFile(const std::string& path, const void* bytes, std::size_t size)
 void replaceFile(const std::string& path, const std::string& text)
 {
     replaceFile(path, text.data(), text.size());
+}
+
+void appendToFile(const std::string& path, const std::string& text)
+{
+    std::FILE* file = std::fopen(path.c_str(), "ab");
+    const int reason = file ? writeAll(file, text.data(), text.size()) : errno;
+    if (reason)
+    {
+        fail(path, reason);
+    }
 }
 
 } // namespace Foam::stability

@@ -2,15 +2,14 @@
 
 #include "foam/results/ResultSeries.H"
 
+#include "core/base/FileOperations.H"
 #include "core/base/FileReplacement.H"
 #include "core/surface/pieces/PointNumbers.H"
 #include "foam/vtk/VtkLibrary.H"
-#include "OSspecific.H"
-#include "fileNameList.H"
 #include "sigFpe.H"
 
+#include <cstdlib>
 #include <iomanip>
-#include <regex>
 #include <sstream>
 
 namespace Foam::stability
@@ -21,11 +20,21 @@ namespace
 
 constexpr int textureSize = 1024; // [pixels]
 
+// As few digits as tell the time from all others.
 std::string timeText(scalar time)
 {
-    std::ostringstream os;
-    os << std::setprecision(15) << time;
-    return os.str();
+    std::string text;
+    for (int digits = 15; digits <= 17; ++digits)
+    {
+        std::ostringstream os;
+        os << std::setprecision(digits) << time;
+        text = os.str();
+        if (std::strtod(text.c_str(), nullptr) == time)
+        {
+            break;
+        }
+    }
+    return text;
 }
 
 std::string numbered(const std::string& name, label index)
@@ -43,33 +52,12 @@ std::string pieceOf(const std::string& name, label ranki)
 } // namespace
 
 ResultSeries::ResultSeries(
-    const fileName& folder, SurfaceParts parts,
+    const fileName& folder, const ResultSet* files, SurfaceParts parts,
     const std::optional<PlaneSection>& section, const Exchange& exchange
 )
-    : folder_(folder), parts_(parts), section_(section), exchange_(exchange)
+    : folder_(folder), files_(files), parts_(parts), section_(section),
+      exchange_(exchange)
 {
-}
-
-std::vector<fileName> ResultSeries::files(const fileName& folder)
-{
-    const std::string families = "(interface|timeSurface|particles)";
-    const std::regex list(families + "\\.p?vtp\\.series"),
-        one(families + "_[0-9]+\\.p?vtp"), pieces(families + "_[0-9]+");
-    std::vector<fileName> found;
-    const auto add = [&](fileName::Type type, const std::regex& pattern)
-    {
-        for (const fileName& name : readDir(folder, type, false))
-        {
-            if (std::regex_match(name, pattern))
-            {
-                found.push_back(name);
-            }
-        }
-    };
-    add(fileName::FILE, list);
-    add(fileName::FILE, one);
-    add(fileName::DIRECTORY, pieces);
-    return found;
 }
 
 void ResultSeries::open()
@@ -80,13 +68,23 @@ void ResultSeries::open()
         writer_.reset(reinterpret_cast<ResultWriter* (*)()>(symbol)());
         if (exchange_.isMaster())
         {
+            files_->add("texture.png");
             writer_->writeTexture(folder_ / "texture.png", textureSize);
         }
     }
 }
 
+std::string ResultSeries::listOf(const Family& family) const
+{
+    return family.name + (parts_ == SurfaceParts::whole ? ".vtp" : ".pvtp") + ".series";
+}
+
 void ResultSeries::list(Family& family, const std::string& file, scalar time) const
 {
+    if (family.entries.empty())
+    {
+        files_->add(listOf(family));
+    }
     family.entries.push_back(
         "{ \"name\" : \"" + file + "\", \"time\" : " + timeText(time) + " }"
     );
@@ -96,8 +94,7 @@ void ResultSeries::list(Family& family, const std::string& file, scalar time) co
         const bool last = i + 1 == family.entries.size();
         text += "    " + family.entries[i] + (last ? "\n" : ",\n");
     }
-    const char* ending = parts_ == SurfaceParts::whole ? ".vtp" : ".pvtp";
-    replaceFile(folder_ / (family.name + ending + ".series"), text + "  ]\n}\n");
+    replaceFile(folder_ / listOf(family), text + "  ]\n}\n");
 }
 
 ResultSurface ResultSeries::inMesh(ResultSurface surface) const
@@ -121,6 +118,7 @@ void ResultSeries::writeWhole(Family& family, label index, const SurfaceMaker& m
                 const ResultSurface surface(inMesh(make()));
                 const std::string file = numbered(family.name, index) + ".vtp";
                 open();
+                files_->add(file);
                 writer_->writeVtp(folder_ / file, surface);
                 list(family, file, surface.time);
             }
@@ -136,11 +134,11 @@ void ResultSeries::writePieces(Family& family, label index, const SurfaceMaker& 
         exchange_,
         [&]
         {
-            if (master && !mkDir(folder_ / name))
+            if (master)
             {
-                throw std::runtime_error(
-                    "Cannot make the folder " + folder_ / name + "."
-                );
+                files_->add(name + '/');
+                files_->add(name + ".pvtp");
+                makeFolders(folder_ / name);
             }
         }
     );

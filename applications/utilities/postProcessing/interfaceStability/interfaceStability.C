@@ -118,7 +118,7 @@ fileName analyse(
         );
         score.add(session->statistics());
     }
-    session->complete();
+    stability::exitOnFailure([&] { session->complete(); });
     return results.path().path() / folderName / results.name();
 }
 

@@ -51,6 +51,23 @@ TEST_F(FileReplacement, replacesTheWholeFile)
     EXPECT_EQ(nFiles(), 1);
 }
 
+// A program that was killed leaves its temporary file: the next one takes its place.
+TEST_F(FileReplacement, clearsWhatAKilledProgramLeft)
+{
+    std::ofstream(path("a.tmp")) << "half of a text that is lon";
+    replaceFile(path("a"), "text");
+    EXPECT_EQ(contentOf(path("a")), "text");
+    EXPECT_EQ(nFiles(), 1);
+}
+
+TEST_F(FileReplacement, addsToTheEnd)
+{
+    appendToFile(path("a"), "one\n");
+    appendToFile(path("a"), "two\n");
+    EXPECT_EQ(contentOf(path("a")), "one\ntwo\n");
+    EXPECT_THROW(appendToFile(path("nowhere/a"), "text"), std::runtime_error);
+}
+
 TEST_F(FileReplacement, failsAndLeavesNothing)
 {
     fs::create_directory(folder_ / "taken");
