@@ -16,6 +16,7 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include "vtk/NoFloatingPointTraps.H"
+#include "vtk/PolyDataCheck.H"
 #include "vtk/SurfaceReader.H"
 
 #include <stdexcept>
@@ -76,20 +77,25 @@ readWith(const vtkNew<Reader>& reader, const std::string& path)
 {
     KeptMessages messages;
     reader->SetFileName(path.c_str());
-    vtkNew<vtkTriangleFilter> triangles;
-    triangles->PassVertsOff();
-    triangles->PassLinesOff();
-    triangles->SetInputConnection(reader->GetOutputPort());
-    triangles->Update();
+    reader->Update();
     std::string cause = messages.firstError();
     if (cause.empty() && reader->GetErrorCode() != vtkErrorCode::NoError)
     {
         cause = vtkErrorCode::GetStringFromErrorCode(reader->GetErrorCode());
     }
+    if (cause.empty() && !isSound(*reader->GetOutput()))
+    {
+        cause = "a polygon has a point that is not there, or fewer than three";
+    }
     if (!cause.empty())
     {
         fail(path, cause);
     }
+    vtkNew<vtkTriangleFilter> triangles;
+    triangles->PassVertsOff();
+    triangles->PassLinesOff();
+    triangles->SetInputConnection(reader->GetOutputPort());
+    triangles->Update();
     return triangles->GetOutput();
 }
 

@@ -56,6 +56,23 @@ std::string columnName(const char* kind, double distance)
     return name;
 }
 
+// A column that a curve and its label need, but the row has not; empty if it has all.
+std::string lacking(const TableRow& row)
+{
+    std::vector<std::string> needed{
+        "stableFraction", "meanDistance", "area", "volumeError"};
+    for (const double distance : distancesOf(row))
+    {
+        needed.push_back(columnName("detached", distance));
+        needed.push_back(columnName("attached", distance));
+    }
+    const auto found = std::find_if(
+        needed.begin(), needed.end(),
+        [&](const std::string& name) { return row.count(name) == 0; }
+    );
+    return found == needed.end() ? std::string() : *found;
+}
+
 std::string label(const std::string& name, const TableRow& row)
 {
     char text[200];
@@ -120,10 +137,8 @@ void draw(vtkContextView* view, const std::filesystem::path& picture)
     );
 }
 
-} // namespace
-
-std::filesystem::path
-plotMethods(const std::filesystem::path& table, const std::array<int, 2>& size)
+std::vector<std::pair<std::string, TableRow>>
+readMethods(const std::filesystem::path& table)
 {
     const auto methods = readNamedRows(table);
     if (methods.empty() || distancesOf(methods.front().second).empty())
@@ -134,6 +149,26 @@ plotMethods(const std::filesystem::path& table, const std::array<int, 2>& size)
               "its dictionary has the entry methods."
         );
     }
+    for (const auto& [name, row] : methods)
+    {
+        const std::string column = lacking(row);
+        if (!column.empty())
+        {
+            throw std::runtime_error(
+                table.string() + " is no table of methods: it has no column " + column
+                + "."
+            );
+        }
+    }
+    return methods;
+}
+
+} // namespace
+
+std::filesystem::path
+plotMethods(const std::filesystem::path& table, const std::array<int, 2>& size)
+{
+    const auto methods = readMethods(table);
     vtkNew<vtkContextView> view;
     view->GetRenderWindow()->SetMultiSamples(0);
     view->GetRenderWindow()->SetOffScreenRendering(1);

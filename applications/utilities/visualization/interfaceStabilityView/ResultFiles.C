@@ -159,10 +159,13 @@ std::vector<Frame> ResultFiles::selected(const Arguments& arguments) const
         return frames_;
     }
     std::vector<Frame> result;
-    const auto add = [&](const auto& isWanted, const std::string& wanted)
+    const auto add = [&](const auto& distance, double near, const std::string& wanted)
     {
-        const auto found = std::find_if(frames_.begin(), frames_.end(), isWanted);
-        if (found == frames_.end())
+        const auto found = std::min_element(
+            frames_.begin(), frames_.end(),
+            [&](const Frame& a, const Frame& b) { return distance(a) < distance(b); }
+        );
+        if (!(distance(*found) <= near))
         {
             throw std::runtime_error(
                 "No result with " + wanted + " in " + path_.string() + ": "
@@ -180,21 +183,21 @@ std::vector<Frame> ResultFiles::selected(const Arguments& arguments) const
     };
     for (const int index : arguments.indices)
     {
-        add([&](const Frame& f) { return f.index == index; },
+        add([&](const Frame& f) { return std::abs(double(f.index) - index); }, 0,
             "index " + std::to_string(index));
     }
     for (const double time : arguments.times)
     {
-        const double near = 1e-6 * std::max(1.0, std::abs(time));
-        add([&](const Frame& f) { return std::abs(f.time - time) <= near; },
-            "time " + shortText(time));
+        const double last = std::abs(frames_.back().time);
+        add([&](const Frame& f) { return std::abs(f.time - time); },
+            1e-6 * std::max(last, std::abs(time)), "time " + shortText(time));
     }
     return result.empty() ? std::vector<Frame>{frames_.back()} : result;
 }
 
 FrameNumbers ResultFiles::numbers(const Frame& frame) const
 {
-    const TableRow row = readTableRow(path_ / "stability.dat", frame.time);
+    const TableRow row = readTableRow(path_ / "stability.dat", frame.index, frame.time);
     const auto value = [&](const char* name)
     {
         const auto found = row.find(name);

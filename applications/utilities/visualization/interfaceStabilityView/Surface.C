@@ -4,6 +4,9 @@
 
 #include "Colours.H"
 #include "Messages.H"
+#include "Trial.H"
+
+#include "vtk/PolyDataCheck.H"
 
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
@@ -23,6 +26,7 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include <stdexcept>
+#include <unordered_map>
 #include <vector>
 
 namespace Foam::stability
@@ -30,6 +34,8 @@ namespace Foam::stability
 
 namespace
 {
+
+constexpr unsigned secondsForTexture = 60;
 
 void checkReadable(const std::filesystem::path& path)
 {
@@ -73,7 +79,7 @@ vtkSmartPointer<vtkPolyData> present(vtkPolyData& particles)
     vtkNew<vtkCellArray> vertices;
     for (vtkIdType i = 0; i < particles.GetNumberOfPoints(); ++i)
     {
-        const int s = state ? int(state->GetTuple1(i)) : moving;
+        const int s = state ? int(state->GetComponent(i, 0)) : moving;
         if (s == moving || s == stuck)
         {
             vertices->InsertNextCell({points->InsertNextPoint(particles.GetPoint(i))});
@@ -102,7 +108,9 @@ vtkSmartPointer<vtkPolyData> readSurface(const std::filesystem::path& path)
     reader->SetFileName(path.c_str());
     reader->Update();
     auto* surface = vtkPolyData::SafeDownCast(reader->GetOutputDataObject(0));
-    checkRead(path, reader->GetErrorCode() == 0 && surface && surface->GetPoints());
+    const bool complete =
+        reader->GetErrorCode() == 0 && surface && surface->GetPoints();
+    checkRead(path, complete && isSound(*surface));
     return surface;
 }
 
@@ -110,13 +118,16 @@ vtkSmartPointer<vtkTexture> readTexture(const std::filesystem::path& path)
 {
     checkReadable(path);
     vtkNew<vtkPNGReader> reader;
-    const bool isPng = reader->CanReadFile(path.c_str());
-    if (isPng)
+    const auto read = [&]
     {
         reader->SetFileName(path.c_str());
         reader->Update();
-    }
-    checkRead(path, isPng && reader->GetOutput()->GetNumberOfPoints() > 1);
+        return reader->GetOutput()->GetNumberOfPoints() > 1;
+    };
+    // A damaged file makes VTK's reader jump to where it was before.
+    const bool isPng =
+        reader->CanReadFile(path.c_str()) && succeedsInChild(read, secondsForTexture);
+    checkRead(path, isPng && read());
     auto texture = vtkSmartPointer<vtkTexture>::New();
     texture->SetInputData(reader->GetOutput());
     texture->InterpolateOn();
@@ -134,14 +145,14 @@ vtkSmartPointer<vtkFloatArray> surfaceNormals(vtkPolyData& data)
     const vtkIdType nPoints = data.GetNumberOfPoints();
     vtkDataArray* vertex = data.GetPointData()->GetArray("vertex");
     std::vector<vtkIdType> place(nPoints);
-    vtkIdType nPlaces = 0;
+    std::unordered_map<double, vtkIdType> placeOf;
     for (vtkIdType i = 0; i < nPoints; ++i)
     {
-        place[i] = vertex ? vtkIdType(vertex->GetTuple1(i)) : i;
-        nPlaces = std::max(nPlaces, place[i] + 1);
+        const double name = vertex ? vertex->GetComponent(i, 0) : double(i);
+        place[i] = placeOf.emplace(name, vtkIdType(placeOf.size())).first->second;
     }
 
-    std::vector<vtkVector3d> sums(nPlaces, vtkVector3d(0, 0, 0));
+    std::vector<vtkVector3d> sums(placeOf.size(), vtkVector3d(0, 0, 0));
     vtkIdType n = 0;
     const vtkIdType* corners = nullptr;
     vtkCellArray* polys = data.GetPolys();

@@ -3,8 +3,10 @@
 #include "Table.H"
 
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 #include <vector>
 
 namespace Foam::stability
@@ -24,6 +26,13 @@ std::vector<std::string> words(const std::string& line)
     return result;
 }
 
+bool isNumber(const std::string& word, double& value)
+{
+    char* end = nullptr;
+    value = std::strtod(word.c_str(), &end);
+    return !word.empty() && !*end;
+}
+
 } // namespace
 
 std::vector<std::pair<std::string, TableRow>>
@@ -32,20 +41,31 @@ readNamedRows(const std::filesystem::path& path)
     std::ifstream stream(path);
     std::vector<std::string> names;
     std::vector<std::pair<std::string, TableRow>> rows;
+    int lineNumber = 0;
     for (std::string line; std::getline(stream, line);)
     {
-        if (line.rfind('#', 0) == 0)
+        ++lineNumber;
+        const bool comment = line.rfind('#', 0) == 0;
+        const std::vector<std::string> values = words(comment ? line.substr(1) : line);
+        if (comment)
         {
-            names = words(line.substr(1));
-            continue;
+            names = values;
         }
-        const std::vector<std::string> values = words(line);
-        if (!values.empty() && values.size() == names.size())
+        else if (!values.empty())
         {
+            bool good = values.size() == names.size() && !stream.eof();
             TableRow row;
-            for (std::size_t i = 1; i < values.size(); ++i)
+            for (std::size_t i = 1; i < values.size() && good; ++i)
             {
-                row[names[i]] = std::strtod(values[i].c_str(), nullptr);
+                good = isNumber(values[i], row[names[i]]);
+            }
+            if (!good)
+            {
+                throw std::runtime_error(
+                    "The table " + path.string() + " is damaged: line "
+                    + std::to_string(lineNumber)
+                    + " has no number for each of its columns."
+                );
             }
             rows.emplace_back(values[0], row);
         }
@@ -53,18 +73,15 @@ readNamedRows(const std::filesystem::path& path)
     return rows;
 }
 
-TableRow readTableRow(const std::filesystem::path& path, double time)
+TableRow readTableRow(const std::filesystem::path& path, int index, double time)
 {
-    TableRow none;
-    for (const auto& [name, row] : readNamedRows(path))
-    {
-        const double rowTime = std::strtod(name.c_str(), nullptr);
-        if (std::abs(rowTime - time) <= 1e-6 * std::max(1.0, std::abs(time)))
-        {
-            return row;
-        }
-    }
-    return none;
+    constexpr double near = 1e-4; // tables may have few digits
+    const auto rows = readNamedRows(path);
+    double rowTime = 0;
+    const bool found = index >= 0 && std::size_t(index) < rows.size()
+                       && isNumber(rows[index].first, rowTime)
+                       && std::abs(rowTime - time) <= near * std::abs(time);
+    return found ? rows[index].second : TableRow();
 }
 
 } // namespace Foam::stability

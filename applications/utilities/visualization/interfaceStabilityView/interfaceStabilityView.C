@@ -42,9 +42,8 @@ void writePictures(const Arguments& arguments)
     if (!arguments.methods.empty())
     {
         const Display display;
-        std::cout << "picture 1 of 1: "
-                  << plotMethods(arguments.methods, arguments.size).string()
-                  << std::endl;
+        const fs::path picture = plotMethods(arguments.methods, arguments.size);
+        std::cout << "picture 1 of 1: " << picture.string() << std::endl;
         return;
     }
     // Whatever can fail early fails before an X server is started.

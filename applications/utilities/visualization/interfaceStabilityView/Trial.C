@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Trial.H"
+
+#include <cerrno>
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace Foam::stability
+{
+
+namespace
+{
+
+// In the child: no output, no core file, no end of this program's own kind.
+[[noreturn]] void becomeTrial(const std::function<bool()>& work, unsigned seconds)
+{
+    const int nowhere = ::open("/dev/null", O_RDWR);
+    ::dup2(nowhere, STDOUT_FILENO);
+    ::dup2(nowhere, STDERR_FILENO);
+    const rlimit none{0, 0};
+    ::setrlimit(RLIMIT_CORE, &none);
+    ::alarm(seconds);
+    bool good = false;
+    try
+    {
+        good = work();
+    }
+    catch (...)
+    {
+        good = false;
+    }
+    ::_exit(good ? 0 : 1);
+}
+
+} // namespace
+
+bool succeedsInChild(const std::function<bool()>& work, unsigned seconds)
+{
+    const pid_t child = ::fork();
+    if (child == 0)
+    {
+        becomeTrial(work, seconds);
+    }
+    int status = 0;
+    while (child > 0 && ::waitpid(child, &status, 0) < 0 && errno == EINTR)
+    {
+    }
+    return child > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+} // namespace Foam::stability
