@@ -2,6 +2,8 @@
 
 #include "shapes/SurfaceErrors.H"
 
+#include "core/cells/CellFrame.H"
+
 #include <algorithm>
 #include <cmath>
 
@@ -102,10 +104,11 @@ SurfaceErrors errorsOf(
     forAll(mesh.triangles, trianglei)
     {
         const vector S = mesh.areaVector(trianglei);
-        const scalar h = mesh.cellSizes[mesh.triangles[trianglei][0]];
-        const vector g = gradient(shape, mesh.centre(trianglei), h);
+        const label first = mesh.triangles[trianglei][0];
+        const vector g = gradient(shape, mesh.centre(trianglei), mesh.cellSizes[first]);
         const scalar cosine = (S & g) / (mag(S) * mag(g) + VSMALL);
-        e.nFlipped += cosine <= 0;
+        const CellFrame frame(frameOf(complex, mesh.cells[first]));
+        e.nFlipped += ((frame.extents & S) & (frame.extents & g)) <= 0;
         e.normals += mag(S) * sqr(std::acos(std::min(cosine, scalar(1))) * 180 / M_PI);
         area += mag(S);
     }

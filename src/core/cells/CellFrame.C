@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace Foam::stability
@@ -90,6 +91,15 @@ scalar roundness(const symmTensor& scatter)
     return 27 * det(scatter) / pow3(tr(scatter));
 }
 
+CellFrame frameWith(const symmTensor& extents)
+{
+    CellFrame frame;
+    frame.extents = extents;
+    frame.inverse = inv(extents);
+    frame.volume = det(extents);
+    return frame;
+}
+
 // Twice the square root of the scatter, and its inverse, by the iteration of Denman and
 // Beavers (Appl. Math. Comput. 2 (1976)).
 CellFrame stretchedFrame(const symmTensor& scatter)
@@ -109,11 +119,27 @@ CellFrame stretchedFrame(const symmTensor& scatter)
             break;
         }
     }
-    CellFrame frame;
-    frame.extents = 2 * std::sqrt(scale) * root;
-    frame.inverse = inv(frame.extents);
-    frame.volume = det(frame.extents);
-    return frame;
+    return frameWith(2 * std::sqrt(scale) * root);
+}
+
+// The smallest and the largest eigenvalue, by the formula for three of them (Smith,
+// Commun. ACM 4 (1961)).
+std::pair<scalar, scalar> extremes(const symmTensor& s)
+{
+    const scalar mean = tr(s) / 3;
+    const symmTensor deviation(dev(s));
+    const scalar size = std::sqrt(magSqr(deviation) / 6);
+    constexpr scalar roundOff = 1e-6;
+    if (!(size > roundOff * mean))
+    {
+        return {mean, mean};
+    }
+    const scalar cosine = det(deviation / size) / 2;
+    const scalar angle =
+        std::acos(std::min(std::max(cosine, scalar(-1)), scalar(1))) / 3;
+    return {
+        mean + 2 * size * std::cos(angle + 2 * M_PI / 3),
+        mean + 2 * size * std::cos(angle)};
 }
 
 scalar spanOf(const UList<point>& points, const point& centre, const vector& across)
@@ -133,6 +159,20 @@ scalar CellFrame::alignment(const vector& a, const vector& b) const
     const vector fa = extents & a, fb = extents & b;
     const scalar lengths = std::sqrt(magSqr(fa) * magSqr(fb));
     return std::max(a & b, lengths > 0 ? (fa & fb) / lengths : scalar(-1));
+}
+
+CellFrame rounded(const CellFrame& frame)
+{
+    constexpr scalar round = 8, flat = 16; // ratios of extents
+    const auto [smallest, largest] = extremes(frame.extents);
+    const scalar flatness =
+        std::log(largest / (round * smallest)) / std::log(flat / round);
+    if (smallest == largest || flatness >= 1)
+    {
+        return frame;
+    }
+    const scalar share = std::max(flatness, scalar(0));
+    return frameWith(share * frame.extents + (1 - share) * largest * symmTensor(I));
 }
 
 CellFrame frameOf(const CellComplex& complex, label celli)

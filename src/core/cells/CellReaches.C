@@ -16,7 +16,7 @@ CellReaches::Reach::Reach(
     {
         centre += x / points.size();
     }
-    frame = frameOf(points, centre, nFaces, across);
+    frame = rounded(frameOf(points, centre, nFaces, across));
 }
 
 boundBox CellReaches::Reach::wide(scalar cells) const

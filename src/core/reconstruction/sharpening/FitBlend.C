@@ -20,7 +20,7 @@ FitBlend::FitBlend(const CellComplex& complex, const UList<InterfaceFit>& fits)
         const InterfaceFit& fit = fits[i];
         if (fit.weight > 0)
         {
-            const vector wide = fit.reach * fit.frame.halfWidths();
+            const vector wide = fit.reach * fit.metric.halfWidths();
             used_.append(i);
             boxes.append(boundBox(fit.centre - wide, fit.centre + wide));
         }
@@ -62,7 +62,7 @@ BlendedDistance FitBlend::at(
         const vector way = x - fit.centre;
         const scalar q =
             std::sqrt(
-                std::max(magSqr(fit.frame.local(way)), 0.25 * magSqr(frame.local(way)))
+                std::max(magSqr(fit.metric.local(way)), 0.25 * magSqr(frame.local(way)))
             )
             / fit.reach;
         if (q >= 1 || fit.frame.alignment(fit.normal, normal) < smallestAlignment

@@ -11,7 +11,7 @@ void InterfaceFit::setPlane(const point& c, const vector& n)
 {
     centre = c;
     normal = n;
-    vector upright = frame.extents & n; // in the frame
+    vector upright = metric.extents & n; // in the frame
     upright /= mag(upright);
     const vector aside = across != vector(Zero)        ? across
                          : std::abs(upright.x()) < 0.6 ? vector(1, 0, 0)
@@ -19,7 +19,7 @@ void InterfaceFit::setPlane(const point& c, const vector& n)
     vector t1 = upright ^ aside;
     t1 /= mag(t1);
     const vector t2 = upright ^ t1;
-    axes = tensor(frame.inverse & t1, frame.inverse & t2, frame.inverse & upright);
+    axes = tensor(metric.inverse & t1, metric.inverse & t2, metric.inverse & upright);
     a = scalar(0);
 }
 

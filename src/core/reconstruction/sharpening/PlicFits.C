@@ -30,6 +30,7 @@ public:
         listByCell();
         placeAll();
         fitAll();
+        aim();
         placeAll();
         fitAll();
         for (label i = 0; i < result_.nCells; ++i)
@@ -85,7 +86,7 @@ private:
         constexpr scalar inHexahedra = 2, elsewhere = 1.6;
         InterfaceFit fit;
         fit.cell = celli;
-        fit.frame = frameOf(complex_, celli);
+        fit.frame = fit.metric = frameOf(complex_, celli);
         fit.reach = complex_.cellFaces()[celli].size() == 6 ? inHexahedra : elsewhere;
         fit.across = complex_.whole().across();
         return fit;
@@ -112,8 +113,7 @@ private:
             plane.secondMoment = momentOf(facei, plane);
             plane.converged = true;
             InterfaceFit fit(fitOf(owner));
-            fit.setPlane(plane.centre, plane.normal);
-            fit.weight = extentOf(plane, fit.frame);
+            placeOnFace(fit, plane);
             result_.fits.append(fit);
             result_.planes.append(plane);
         }
@@ -160,6 +160,32 @@ private:
         );
     }
 
+    // Takes the normals of the first fits, which were made in the frames of the cells:
+    // there noise turns normals least. From then on fits look around in rounded frames.
+    void aim()
+    {
+        forAll(result_.fits, i)
+        {
+            InterfaceFit& fit = result_.fits[i];
+            if (i < result_.nCells && fit.weight > 0)
+            {
+                const vector g = fit.gradient(-fit.a[1], -fit.a[2], 1);
+                fit.normal = g / mag(g);
+            }
+            fit.metric = rounded(fit.frame);
+            if (i >= result_.nCells)
+            {
+                placeOnFace(fit, result_.planes[i]);
+            }
+        }
+    }
+
+    void placeOnFace(InterfaceFit& fit, const PlicPlane& plane) const
+    {
+        fit.setPlane(plane.centre, plane.normal);
+        fit.weight = extentOf(plane, fit.metric);
+    }
+
     void placeAll()
     {
 #pragma omp parallel for schedule(dynamic, 64) num_threads(nThreads_)
@@ -178,15 +204,12 @@ private:
             plane = PlicPlane();
             return;
         }
-        const vector normal = fit.axes == tensor(Zero)
-                                  ? fit.normal
-                                  : fit.gradient(-fit.a[1], -fit.a[2], 1);
-        plane = planeIn(complex_, fit.cell, normal / mag(normal), alpha);
+        plane = planeIn(complex_, fit.cell, fit.normal, alpha);
         const point centre =
             plane.converged ? plane.centre : complex_.cellCentres()[fit.cell];
         fit.setPlane(centre, plane.normal);
         fit.weight = plane.converged
-                         ? sqr(4 * alpha * (1 - alpha)) * extentOf(plane, fit.frame)
+                         ? sqr(4 * alpha * (1 - alpha)) * extentOf(plane, fit.metric)
                          : 0;
     }
 

@@ -57,7 +57,8 @@ PointSharpener::ask(const FitBlend* blend, const Start& start, const point& x) c
     BlendedDistance d;
     if (blend)
     {
-        d = blend->at(x, start.normal, start.cell, start.frame);
+        const CellFrame& frame = blend == plic_ ? start.metric : start.frame;
+        d = blend->at(x, start.normal, start.cell, frame);
         d.known = d.known && std::abs(d.value) <= farthest * d.size;
     }
     return d;

@@ -96,7 +96,7 @@ private:
             {
                 InterfaceFit fit;
                 fit.cell = celli;
-                fit.frame = frameOf(complex_, celli);
+                fit.frame = fit.metric = frameOf(complex_, celli);
                 fit.reach = 2;
                 fit.across = complex_.whole().across();
                 const vector wide =

@@ -70,8 +70,12 @@ private:
         {
             const CellFrame frame(frameOf(complex_, mesh_.cells[pointi]));
             starts_[pointi] = {
-                complex_.whole().inMiddle(mesh_.points[pointi]), -normals[pointi],
-                mesh_.cells[pointi], frame, wallsAt(pointi)};
+                complex_.whole().inMiddle(mesh_.points[pointi]),
+                -normals[pointi],
+                mesh_.cells[pointi],
+                frame,
+                rounded(frame),
+                wallsAt(pointi)};
             moves_[pointi].direction = -normals[pointi];
         }
     }
@@ -163,12 +167,23 @@ private:
         return (x(1) - x(0)) ^ (x(2) - x(0));
     }
 
-    // Triangles face the second material, gradients the first.
+    // The direction across the surface by the shortest way in the frame, by which
+    // points move; of unit length. In a section it is the gradient.
+    vector acrossAt(label pointi) const
+    {
+        const vector& g = moves_[pointi].direction;
+        const symmTensor& extents = starts_[pointi].frame.extents;
+        const vector across =
+            complex_.whole().section ? g : vector(extents & (extents & g));
+        return across / (mag(across) + VSMALL);
+    }
+
+    // Triangles face the second material, gradients the first. Both are looked at in
+    // the frame: in space chords across a curved surface tilt triangles that are as
+    // flat as the cells, as those of Schwarz's lantern, wherever their points are.
     vector facing(const triFace& t) const
     {
-        return -(
-            moves_[t[0]].direction + moves_[t[1]].direction + moves_[t[2]].direction
-        );
+        return -(acrossAt(t[0]) + acrossAt(t[1]) + acrossAt(t[2]));
     }
 
     // If tetrahedra folded triangles over each other, their points are spread along
@@ -227,9 +242,9 @@ private:
                 }
             }
             const vector d = mean / n - old.total;
-            const vector g = old.direction / mag(old.direction);
+            const vector g = old.direction, across = acrossAt(pointi);
             Move& move = moved[pointi];
-            move.total += d - (d & g) * g;
+            move.total += d - (d & g) / (across & g) * across;
             move.total += both.pull(start, move);
             if (mag(start.frame.local(move.total)) > longest)
             {

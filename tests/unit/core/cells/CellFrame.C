@@ -53,6 +53,36 @@ TEST(CellFrame, hasTheEdgesOfABox)
     }
 }
 
+TEST(CellFrame, isRoundedWhereCellsAreALittleFlat)
+{
+    const tensor turn(obliqueTurn());
+    const auto extent = [&](const vector& edges, direction d)
+    {
+        const auto complex = shapes::box(cells(edges, turn));
+        vector axis(Zero);
+        axis[d] = 1;
+        return rounded(frameOf(*complex, 17)).along(turn & axis);
+    };
+    for (const vector& edges : {vector(2, 1, 7), vector(3, 3, 0.5), vector(1, 1, 1)})
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            EXPECT_NEAR(extent(edges, d) / cmptMax(edges), 1, 1e-6);
+        }
+    }
+    EXPECT_NEAR(extent(vector(1, 20, 20), 0), 1, 1e-6);
+    scalar before = 10;
+    for (const scalar thickness : {10 / 8.5, 10 / 10., 10 / 13., 10 / 15.5})
+    {
+        const scalar across = extent(vector(10, 10, thickness), 2);
+        EXPECT_LT(across, before);
+        EXPECT_GT(across, thickness);
+        EXPECT_NEAR(extent(vector(10, 10, thickness), 0), 10, 1e-5);
+        before = across;
+    }
+    EXPECT_LT(before, 1.3);
+}
+
 TEST(CellFrame, isRoundInCubesAndInSlicesOfCubes)
 {
     const auto expectRound = [](const CellComplex& complex)

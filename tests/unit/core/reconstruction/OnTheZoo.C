@@ -67,7 +67,7 @@ Allowed allowed(const ZooMesh& mesh, const Way& way)
     if (way.name == "auto")
     {
         return mesh.kind == ZooKind::hexahedra ? Allowed{0.002, 0.006, 1e-6}
-               : isLayered(mesh)               ? Allowed{0.05, 0.01, 1e-6}
+               : isLayered(mesh)               ? Allowed{0.005, 0.01, 1e-6}
                                                : Allowed{0.011, 0.03, 0.002};
     }
     return way.name == "profile"   ? Allowed{0.05, 0.11, 0.1}
@@ -80,9 +80,11 @@ Allowed allowed(const ZooMesh& mesh, const Way& way)
 label allowedFlips(const ZooMesh& mesh)
 {
     static const std::map<std::string, label> known{
-        {"refinedOblique", 120}, {"tetrahedra", 5}, {"polyhedra", 40},
-        {"graded", 30},          {"layers10", 10},  {"layers100", 120},
-        {"layers1000", 450},     {"baffle", 2}};
+        {"refinedOblique", 120},
+        {"tetrahedra", 5},
+        {"polyhedra", 40},
+        {"graded", 1},
+        {"baffle", 2}};
     const auto found = known.find(mesh.name);
     return found == known.end() ? 0 : found->second;
 }
@@ -159,6 +161,15 @@ TEST_P(OnTheZoo, aBallAndAPlaneAreFound)
             errorsOf(plane, scene.plane, mesh_.plane(), "plane");
         EXPECT_LT(e.rms, bounds.plane);
         EXPECT_LE(e.rmsInside, bounds.planeAwayFromWalls);
+        if (way_.name == "auto"
+            && (isLayered(mesh_) || mesh_.kind == ZooKind::hexahedra))
+        {
+            const auto unit = shapes::CellLength::size;
+            EXPECT_LT(
+                shapes::errorsOf(ball, mesh_.ball(), *scene.ball.complex, unit).rms,
+                0.002
+            );
+        }
     }
 }
 

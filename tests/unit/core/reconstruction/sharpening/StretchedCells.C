@@ -7,6 +7,7 @@
 #include "core/surface/pieces/SharedPoints.H"
 #include "shapes/MeshParts.H"
 #include "shapes/PolyMeshes.H"
+#include "shapes/SectionMesh.H"
 #include "shapes/SurfaceChecks.H"
 #include "shapes/SurfaceErrors.H"
 #include "shapes/ThreadRanks.H"
@@ -110,6 +111,31 @@ TEST(StretchedCells, flatObliquelyToTheInterface)
     }
 }
 
+// Cells of 1 m that are flat in a section; a disc as curved in space as on square
+// cells.
+TEST(StretchedCells, discsInALittleFlatCells)
+{
+    const scalar largest[2][2] = {{2, 0.001}, {4, 0.004}};
+    for (const auto& [aspect, allowed] : largest)
+    {
+        shapes::SectionOptions options;
+        options.nx = 13;
+        options.ny = label(13 * aspect);
+        options.max = point(13, 13, 0);
+        const auto complex = shapes::section(options);
+        const shapes::Shape disc = [](const point& x)
+        { return std::hypot(x.x() - 6.637, x.y() - 6.432) - 4.8; };
+        const InterfaceMesh mesh(Reconstruction::New(sharpenedBy(Sharpening::automatic))
+                                     ->extract(shapes::snapshotOf(
+                                         complex, shapes::sectionAlpha(*complex, disc)
+                                     ))
+                                     .mesh);
+        const shapes::SurfaceErrors errors =
+            shapes::errorsOf(mesh, disc, *complex, shapes::CellLength::extent);
+        EXPECT_LT(errors.rms, allowed) << aspect;
+    }
+}
+
 TEST(StretchedCells, flatTetrahedra)
 {
     constexpr scalar folds = 0.005;
@@ -168,15 +194,20 @@ void expectSame(const CellComplexInput& mesh, const shapes::Shape& shape)
 // Rows of small cells beside large ones, which reach across more of them than rings go.
 TEST(StretchedCells, ranksMakeTheSameOfThem)
 {
-    shapes::BoxOptions graded;
-    graded.n = Vector<label>(14, 30, 12);
-    graded.max = point(14, 30, 12);
-    graded.map = [](const point& x)
+    for (const scalar thin : {0.05, 0.15})
     {
-        const scalar y = x.y();
-        return point(x.x(), y < 12 ? 0.05 * y : 0.6 + (y - 12) * 0.6, x.z());
-    };
-    expectSame(shapes::boxInput(graded), shapes::sphere(point(6.8, 4.1, -19.2), 25));
+        shapes::BoxOptions graded;
+        graded.n = Vector<label>(14, 30, 12);
+        graded.max = point(14, 30, 12);
+        graded.map = [thin](const point& x)
+        {
+            const scalar y = x.y();
+            return point(x.x(), y < 12 ? thin * y : 12 * thin + (y - 12) * 0.6, x.z());
+        };
+        expectSame(
+            shapes::boxInput(graded), shapes::sphere(point(6.8, 4.1, -19.2), 25)
+        );
+    }
     expectSame(
         shapes::boxInput(flatCells(0, 30)), shapes::sphere(point(0.17, 4.3, -19.9), 25)
     );
