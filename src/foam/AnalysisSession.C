@@ -299,6 +299,7 @@ void AnalysisSession::complete()
             {
                 folder_->files().complete();
             }
+            progress_.complete();
         }
     );
 }

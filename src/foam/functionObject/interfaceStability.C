@@ -8,6 +8,8 @@
 #include "foam/functionObject/StartChecks.H"
 #include "fvMesh.H"
 
+#include <stdexcept>
+
 namespace Foam
 {
 namespace functionObjects
@@ -266,6 +268,17 @@ bool interfaceStability::write()
 bool interfaceStability::end()
 {
     finish();
+    if (postProcess && ready() && (disabled_ || !session_))
+    {
+        stability::exitOnFailure(
+            [&]
+            {
+                throw std::runtime_error(
+                    name() + ": the analysis broke off; a warning above says why."
+                );
+            }
+        );
+    }
     return true;
 }
 

@@ -2,6 +2,7 @@
 
 #include "foam/results/ProgressReport.H"
 
+#include "foam/results/TwoDigits.H"
 #include "messageStream.H"
 
 #include <algorithm>
@@ -15,18 +16,8 @@ namespace Foam::stability
 namespace
 {
 
-// Beyond so many cells between classifications p is resampled from afar.
-constexpr scalar largestDisplacement = 2.5;
-
 // Epsilon should be at least so many times the noise floor.
 constexpr scalar floorsPerEpsilon = 2;
-
-// Up to two digits.
-scalar roundedUp(scalar value)
-{
-    const scalar digit = std::pow(10.0, std::floor(std::log10(value)) - 1);
-    return std::ceil(value / digit * (1 - 1e-9)) * digit;
-}
 
 // What share of M is stable and what share of T was kept; nothing of nothing.
 std::string shares(const Statistics& s)
@@ -182,18 +173,6 @@ void ProgressReport::warn(
     const Classification& c, const word& timeName, const TrackerOptions& options
 )
 {
-    const scalar displacement = c.statistics.displacement;
-    if (displacement > largestDisplacement && !warnedDisplacement_)
-    {
-        warnedDisplacement_ = true;
-        Warning << "interfaceStability: at time " << timeName
-                << " s the interface had moved " << displacement
-                << " cells (rms) since the last classified time. Above "
-                << largestDisplacement
-                << " the results lose accuracy: write more times. Told once; see the "
-                   "column displacement of stability.dat."
-                << endl;
-    }
     if (c.nSkippedParticles > 0 && !warnedParticles_)
     {
         warnedParticles_ = true;
@@ -204,7 +183,7 @@ void ProgressReport::warn(
     }
     warnOfNoise(c, timeName);
     warnOfTears(c, timeName);
-    warnOfShortInterval(c, timeName);
+    intervals_.classified(c.statistics, timeName);
 }
 
 void ProgressReport::warnOfTears(const Classification& c, const word& timeName)
@@ -220,29 +199,6 @@ void ProgressReport::warnOfTears(const Classification& c, const word& timeName)
                "once; later times only count."
             << endl;
     }
-}
-
-// An interface that stands still is within epsilon of one that moved less than that. A
-// flow that hardly moves it is no fault of the interval, so the way must add up.
-void ProgressReport::warnOfShortInterval(const Classification& c, const word& timeName)
-{
-    const Statistics& s = c.statistics;
-    unseen_ = s.displacement < s.epsilonCells ? unseen_ + s.displacement : 0;
-    if (warnedInterval_ || !(unseen_ > s.epsilonCells))
-    {
-        return;
-    }
-    warnedInterval_ = true;
-    const scalar better =
-        max(min(2 * s.epsilonCells, largestDisplacement), 1.2 * s.epsilonCells);
-    Warning << "interfaceStability: at time " << timeName
-            << " s the interval lies below epsilon: the interface had moved "
-            << s.displacement << " cells (rms) since the last classified time, and "
-            << "epsilon is " << s.epsilonCells << " cells, so that even an interface "
-            << "that stands still in the flow counts as stable. Better is an interval "
-            << "of " << roundedUp(s.interval * better / s.displacement)
-            << " s, or a smaller epsilon. Told once; see the columns displacement and "
-            << "epsilonPerInterval of stability.dat." << endl;
 }
 
 void ProgressReport::warnOfNoise(const Classification& c, const word& timeName)
