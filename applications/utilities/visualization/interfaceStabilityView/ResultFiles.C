@@ -34,8 +34,8 @@ bool holdsResults(const fs::path& folder)
     return fs::exists(seriesIn(folder, "interface"), ignored);
 }
 
-// The folder below `parent` whose list of interfaces is the newest.
-fs::path newestBelow(const fs::path& parent)
+// The folders of results below `parent`, that with the newest list of interfaces first.
+std::vector<fs::path> foldersBelow(const fs::path& parent)
 {
     std::error_code none;
     std::vector<fs::path> found;
@@ -52,26 +52,27 @@ fs::path newestBelow(const fs::path& parent)
         return fs::last_write_time(seriesIn(folder, "interface"), ignored);
     };
     std::sort(found.begin(), found.end()); // equal ages: not left to the file system
-    const auto newest = std::max_element(
+    std::stable_sort(
         found.begin(), found.end(),
-        [&](const fs::path& a, const fs::path& b) { return age(a) < age(b); }
+        [&](const fs::path& a, const fs::path& b) { return age(a) > age(b); }
     );
-    return newest == found.end() ? fs::path() : *newest;
+    return found;
 }
 
-fs::path findResults(const fs::path& folder)
+// The folder itself, or those of a case. Throws std::runtime_error where there is none.
+std::vector<fs::path> resultFolders(const fs::path& folder)
 {
     if (holdsResults(folder))
     {
-        return folder;
+        return {folder};
     }
     const fs::path below = fs::path("postProcessing") / "interfaceStability";
     for (const fs::path& parent : {folder / below, folder})
     {
-        const fs::path newest = newestBelow(parent);
-        if (!newest.empty())
+        const std::vector<fs::path> found = foldersBelow(parent);
+        if (!found.empty())
         {
-            return newest;
+            return found;
         }
     }
     throw std::runtime_error(
@@ -108,7 +109,7 @@ std::string available(const std::vector<Frame>& frames)
 
 } // namespace
 
-ResultFiles::ResultFiles(const fs::path& folder) : path_(findResults(folder))
+ResultFiles::ResultFiles(const fs::path& folder) : path_(folder)
 {
     const fs::path interfaces = seriesIn(path_, "interface");
     const auto particles = readSeries(seriesIn(path_, "particles"));
@@ -152,47 +153,87 @@ fs::path ResultFiles::caseFolder() const
     return {};
 }
 
-std::vector<Frame> ResultFiles::selected(const Arguments& arguments) const
+std::optional<Frame> ResultFiles::nearest(double time) const
 {
-    if (arguments.all)
+    const auto distance = [&](const Frame& f) { return std::abs(f.time - time); };
+    const auto found = std::min_element(
+        frames_.begin(), frames_.end(),
+        [&](const Frame& a, const Frame& b) { return distance(a) < distance(b); }
+    );
+    const double size = std::max(std::abs(frames_.back().time), std::abs(time));
+    return distance(*found) <= 1e-6 * size ? std::optional<Frame>(*found)
+                                           : std::nullopt;
+}
+
+void ResultFiles::select(std::optional<Frame> frame, const std::string& wanted)
+{
+    if (!frame)
     {
-        return frames_;
+        throw std::runtime_error(
+            "No result with " + wanted + " in " + path_.string() + ": "
+            + available(frames_) + "."
+        );
     }
-    std::vector<Frame> result;
-    const auto add = [&](const auto& distance, double near, const std::string& wanted)
+    const bool twice = std::any_of(
+        selected_.begin(), selected_.end(),
+        [&](const Frame& f) { return f.index == frame->index; }
+    );
+    if (!twice)
     {
-        const auto found = std::min_element(
-            frames_.begin(), frames_.end(),
-            [&](const Frame& a, const Frame& b) { return distance(a) < distance(b); }
-        );
-        if (!(distance(*found) <= near))
-        {
-            throw std::runtime_error(
-                "No result with " + wanted + " in " + path_.string() + ": "
-                + available(frames_) + "."
-            );
-        }
-        const bool twice = std::any_of(
-            result.begin(), result.end(),
-            [&](const Frame& f) { return f.index == found->index; }
-        );
-        if (!twice)
-        {
-            result.push_back(*found);
-        }
-    };
+        selected_.push_back(*frame);
+    }
+}
+
+void ResultFiles::select(const Arguments& arguments)
+{
     for (const int index : arguments.indices)
     {
-        add([&](const Frame& f) { return std::abs(double(f.index) - index); }, 0,
-            "index " + std::to_string(index));
+        const auto found = std::find_if(
+            frames_.begin(), frames_.end(),
+            [&](const Frame& f) { return f.index == index; }
+        );
+        select(
+            found == frames_.end() ? std::nullopt : std::optional<Frame>(*found),
+            "index " + std::to_string(index)
+        );
     }
+    if (arguments.all)
+    {
+        selected_ = frames_;
+    }
+    else if (arguments.indices.empty() && arguments.times.empty())
+    {
+        selected_ = {frames_.back()};
+    }
+}
+
+std::vector<ResultFiles> selectedResults(const Arguments& arguments)
+{
+    std::vector<ResultFiles> runs;
+    for (const fs::path& folder : resultFolders(arguments.folder))
+    {
+        runs.emplace_back(folder);
+        if (arguments.times.empty())
+        {
+            break; // the newest will do
+        }
+    }
+    runs.front().select(arguments);
     for (const double time : arguments.times)
     {
-        const double last = std::abs(frames_.back().time);
-        add([&](const Frame& f) { return std::abs(f.time - time); },
-            1e-6 * std::max(last, std::abs(time)), "time " + shortText(time));
+        const auto run = std::find_if(
+            runs.begin(), runs.end(),
+            [&](const ResultFiles& files) { return files.nearest(time).has_value(); }
+        );
+        ResultFiles& files = run == runs.end() ? runs.front() : *run;
+        files.select(files.nearest(time), "time " + shortText(time));
     }
-    return result.empty() ? std::vector<Frame>{frames_.back()} : result;
+    const auto unused = std::remove_if(
+        runs.begin(), runs.end(),
+        [](const ResultFiles& files) { return files.selected().empty(); }
+    );
+    runs.erase(unused, runs.end());
+    return runs;
 }
 
 FrameNumbers ResultFiles::numbers(const Frame& frame) const

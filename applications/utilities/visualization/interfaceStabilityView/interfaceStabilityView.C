@@ -14,6 +14,8 @@
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -47,21 +49,34 @@ void writePictures(const Arguments& arguments)
         return;
     }
     // Whatever can fail early fails before an X server is started.
-    const ResultFiles results(arguments.folder);
-    const auto frames = results.selected(arguments);
-    const fs::path folder = outputFolder(arguments, results);
+    const std::vector<ResultFiles> runs = selectedResults(arguments);
+    std::size_t count = 0;
+    for (const ResultFiles& results : runs)
+    {
+        outputFolder(arguments, results);
+        count += results.selected().size();
+    }
     const Display display;
 
     keepMessages();
-    Scene scene(arguments, results);
     std::size_t done = 0;
-    for (const Frame& frame : frames)
+    for (const ResultFiles& results : runs)
     {
-        char name[32];
-        std::snprintf(name, sizeof name, "view_%06d.png", frame.index);
-        scene.writePicture(frame, folder / name);
-        std::cout << "picture " << ++done << " of " << frames.size() << ": "
-                  << (folder / name).string() << std::endl;
+        const fs::path folder = outputFolder(arguments, results);
+        // In one folder, pictures of several runs are told apart by where these began.
+        const std::string prefix = runs.size() > 1 && !arguments.output.empty()
+                                       ? results.path().filename().string() + "_"
+                                       : "";
+        Scene scene(arguments, results);
+        for (const Frame& frame : results.selected())
+        {
+            char name[32];
+            std::snprintf(name, sizeof name, "view_%06d.png", frame.index);
+            const fs::path picture = folder / (prefix + name);
+            scene.writePicture(frame, picture);
+            std::cout << "picture " << ++done << " of " << count << ": "
+                      << picture.string() << std::endl;
+        }
     }
 }
 
