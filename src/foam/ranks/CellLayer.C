@@ -4,7 +4,9 @@
 
 #include "core/base/Errors.H"
 #include "foam/ranks/LayerGeometry.H"
+#include "cyclicPolyPatch.H"
 #include "emptyPolyPatch.H"
+#include "processorPolyPatch.H"
 #include "symmetryPlanePolyPatch.H"
 #include "symmetryPolyPatch.H"
 #include "wedgePolyPatch.H"
@@ -17,15 +19,34 @@ namespace
 
 constexpr scalar planar = 1e-6; // shares of lengths: symmetry planes are as flat
 
-using IsEnd = bool (*)(const polyPatch&);
+using IsEnd = bool (*)(const polyPatch&, label i); // i: face of the patch
 
-bool isEmpty(const polyPatch& patch)
+bool isEmpty(const polyPatch& patch, label)
 {
     return isA<emptyPolyPatch>(patch);
 }
-bool isWedge(const polyPatch& patch)
+
+bool isWedge(const polyPatch& patch, label)
 {
     return isA<wedgePolyPatch>(patch);
+}
+
+// Behind the face lies the cell that has it.
+bool leadsBack(const polyPatch& patch, label i)
+{
+    const auto* cyclic = isA<cyclicPolyPatch>(patch);
+    return cyclic && patch.faceCells()[i] == cyclic->neighbPatch().faceCells()[i];
+}
+
+// The same, shifted; a cell at the axis of a rotation may have itself behind it.
+bool leadsStraightBack(const polyPatch& patch, label i)
+{
+    return leadsBack(patch, i) && refCast<const cyclicPolyPatch>(patch).parallel();
+}
+
+bool isPlane(const polyPatch& patch, label i)
+{
+    return isSymmetry(patch) || leadsStraightBack(patch, i);
 }
 
 // The axis to which the area vector is nearest.
@@ -57,7 +78,7 @@ public:
         }
         return nEmpty > 0   ? declared(isEmpty, "empty")
                : nWedge > 0 ? declared(isWedge, "wedge")
-                            : betweenSymmetries();
+                            : betweenPlanes();
     }
 
 private:
@@ -72,9 +93,12 @@ private:
     {
         for (const polyPatch& patch : mesh_.boundaryMesh())
         {
-            for (label i = 0; isEnd(patch) && i < patch.size(); ++i)
+            forAll(patch, i)
             {
-                visit(patch.start() + i);
+                if (isEnd(patch, i))
+                {
+                    visit(patch.start() + i);
+                }
             }
         }
     }
@@ -86,13 +110,26 @@ private:
         return exchange_.total(n);
     }
 
-    // The patches of this type that have faces on any rank.
+    // The patches that have such faces on this rank.
+    labelHashSet patches(IsEnd isEnd) const
+    {
+        labelHashSet found;
+        forEachEnd(
+            isEnd,
+            [&](label facei) { found.insert(mesh_.boundaryMesh().whichPatch(facei)); }
+        );
+        return found;
+    }
+
+    // The patches that have such faces on any rank.
     std::string names(IsEnd isEnd) const
     {
+        const labelHashSet here(patches(isEnd));
         std::string list;
         for (const polyPatch& patch : mesh_.boundaryMesh())
         {
-            if (isEnd(patch) && exchange_.total(patch.size()) > 0)
+            if (!isA<processorPolyPatch>(patch)
+                && exchange_.total(here.found(patch.index())) > 0)
             {
                 list += (list.empty() ? "" : ", ") + patch.name();
             }
@@ -169,15 +206,33 @@ private:
         const PlaneSection section(
             isWedge == isEnd ? geometry.wedge() : geometry.plane()
         );
-        return {section, std::move(ends.faces)};
+        return {section, std::move(ends.faces), labelHashSet()};
     }
 
-    std::optional<CellLayer> betweenSymmetries() const
+    std::optional<CellLayer> betweenPlanes() const
+    {
+        std::optional<CellLayer> found(findBetweenPlanes());
+        const label nBack = nFaces(leadsBack);
+        const bool oneLayer = nBack > 0 && nBack >= 2 * exchange_.total(mesh_.nCells());
+        if (!found && (nFaces(leadsStraightBack) > 0 || oneLayer))
+        {
+            throw BadInput(
+                "Cells are their own neighbours at " + std::to_string(nBack)
+                + " faces of the cyclic patches " + names(leadsBack)
+                + "; allowed are two or more layers of cells between such patches, or "
+                  "one layer between two parallel planes that is the whole mesh (and "
+                  "wedge patches around an axis)."
+            );
+        }
+        return found;
+    }
+
+    std::optional<CellLayer> findBetweenPlanes() const
     {
         std::optional<CellLayer> found;
         for (direction d = 0; d < 3; ++d)
         {
-            Ends ends(endsAcross(d, isSymmetry, planar));
+            Ends ends(endsAcross(d, isPlane, planar));
             const LayerGeometry geometry(mesh_, exchange_, d, ends.faces);
             if (ends.nWrong > 0 || !geometry.isFlat(planar))
             {
@@ -188,7 +243,8 @@ private:
                 return std::nullopt; // a row of cells
             }
             const PlaneSection section(geometry.plane());
-            found = CellLayer{section, std::move(ends.faces)};
+            found =
+                CellLayer{section, std::move(ends.faces), patches(leadsStraightBack)};
         }
         return found;
     }

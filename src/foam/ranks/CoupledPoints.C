@@ -2,7 +2,6 @@
 
 #include "foam/ranks/CoupledPoints.H"
 
-#include "foam/ranks/CyclicPatches.H"
 #include "processorPolyPatch.H"
 #include "syncTools.H"
 
@@ -10,9 +9,10 @@ namespace Foam::stability
 {
 
 CoupledPoints::CoupledPoints(
-    const polyMesh& mesh, const CellComplexInput& own, const RankMessages& messages
+    const polyMesh& mesh, const CellComplexInput& own, const CyclicPatches& cyclic,
+    const RankMessages& messages
 )
-    : mesh_(mesh), own_(own), exchange_(messages),
+    : mesh_(mesh), own_(own), cyclic_(cyclic), exchange_(messages),
       local_(messages.numbersOf(own.points.size()))
 {
 }
@@ -57,7 +57,8 @@ void CoupledPoints::visitFaces(bool throughCyclic, const Visit& visit) const
 {
     for (const polyPatch& patch : mesh_.boundaryMesh())
     {
-        if (isCyclic(patch) ? throughCyclic : bool(isA<processorPolyPatch>(patch)))
+        if (cyclic_.contain(patch) ? throughCyclic
+                                   : bool(isA<processorPolyPatch>(patch)))
         {
             for (label i = 0; i < patch.size(); ++i)
             {

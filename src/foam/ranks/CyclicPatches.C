@@ -68,13 +68,16 @@ RigidMotion motionOf(const cyclicPolyPatch& patch, scalar size)
 
 } // namespace
 
-bool isCyclic(const polyPatch& patch)
+bool CyclicPatches::contain(const polyPatch& patch) const
 {
-    return isA<cyclicPolyPatch>(patch) || isA<processorCyclicPolyPatch>(patch);
+    return (isA<cyclicPolyPatch>(patch) || isA<processorCyclicPolyPatch>(patch))
+           && !ends_.found(patch.index());
 }
 
-CyclicPatches::CyclicPatches(const polyMesh& mesh, const Exchange& exchange)
-    : places_(mesh.boundaryMesh().size(), -1)
+CyclicPatches::CyclicPatches(
+    const polyMesh& mesh, const Exchange& exchange, const labelHashSet& ends
+)
+    : ends_(ends), places_(mesh.boundaryMesh().size(), -1)
 {
     const scalar size = mesh.bounds().mag(); // of all ranks
     DynamicList<label> pairs;
@@ -84,7 +87,7 @@ CyclicPatches::CyclicPatches(const polyMesh& mesh, const Exchange& exchange)
         {
             for (const polyPatch& patch : mesh.boundaryMesh())
             {
-                if (isCyclic(patch) && !patch.empty()
+                if (contain(patch) && !patch.empty()
                     && !pairs.found(pairOf(cyclicOf(patch))))
                 {
                     pairs.append(pairOf(cyclicOf(patch)));

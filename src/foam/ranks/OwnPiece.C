@@ -7,6 +7,7 @@
 #include "foam/errors/Failures.H"
 #include "foam/ranks/CellLayer.H"
 #include "foam/ranks/CoupledPoints.H"
+#include "cyclicPolyPatch.H"
 #include "emptyPolyPatch.H"
 #include "processorPolyPatch.H"
 #include "syncTools.H"
@@ -19,10 +20,11 @@ namespace Foam::stability
 namespace
 {
 
-// There are cells behind it.
-bool leadsOn(const polyPatch& patch)
+// It is coupled face by face: there are cells behind it, if it is not at an end of a
+// layer of cells.
+bool isCoupled(const polyPatch& patch)
 {
-    return isA<processorPolyPatch>(patch) || isCyclic(patch);
+    return isA<processorPolyPatch>(patch) || isA<cyclicPolyPatch>(patch);
 }
 
 // It is at the ends of a layer of cells.
@@ -33,7 +35,7 @@ bool isEnd(const polyPatch& patch)
 
 BoundaryKind kindOf(const polyPatch& patch)
 {
-    return leadsOn(patch)                      ? BoundaryKind::coupledUnknown
+    return isCoupled(patch)                    ? BoundaryKind::coupledUnknown
            : isA<wallPolyPatch>(patch)         ? BoundaryKind::wall
            : isEnd(patch) || isSymmetry(patch) ? BoundaryKind::symmetry
                                                : BoundaryKind::open;
@@ -44,11 +46,12 @@ BoundaryKind kindOf(const polyPatch& patch)
 bool interpolates(const polyPatch& patch)
 {
     const bool constrains = patch.coupled() || polyPatch::constraintType(patch.type());
-    const bool understood = leadsOn(patch) || kindOf(patch) == BoundaryKind::symmetry;
+    const bool understood = isCoupled(patch) || kindOf(patch) == BoundaryKind::symmetry;
     return constrains && !understood;
 }
 
-CellComplexInput cellsOf(const fvMesh& mesh, const wordHashSet& walls)
+CellComplexInput
+cellsOf(const fvMesh& mesh, const wordHashSet& walls, const labelHashSet& cyclicEnds)
 {
     const label nBoundaryFaces = mesh.nFaces() - mesh.nInternalFaces();
     CellComplexInput input;
@@ -68,8 +71,10 @@ CellComplexInput cellsOf(const fvMesh& mesh, const wordHashSet& walls)
             names.append(patch.name());
         }
         const label start = patch.start() - mesh.nInternalFaces();
-        const BoundaryKind kind =
-            walls.found(patch.name()) ? BoundaryKind::wall : kindOf(patch);
+        const BoundaryKind kind = walls.found(patch.name()) ? BoundaryKind::wall
+                                  : cyclicEnds.found(patch.index())
+                                      ? BoundaryKind::symmetry
+                                      : kindOf(patch);
         for (label i = 0; i < patch.size(); ++i)
         {
             input.kinds[start + i] = kind;
@@ -101,12 +106,12 @@ void findBehind(
     syncTools::swapBoundaryCellList(mesh, own.globalCells, behind);
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
-        if (patch.empty() || !leadsOn(patch))
+        if (patch.empty() || !(cyclic.contain(patch) || isA<processorPolyPatch>(patch)))
         {
             continue;
         }
         const label image =
-            isCyclic(patch) ? images->indexOf(cyclic.motionOf(patch)) : 0;
+            cyclic.contain(patch) ? images->indexOf(cyclic.motionOf(patch)) : 0;
         for (label facei = patch.start(); facei < patch.start() + patch.size(); ++facei)
         {
             const label i = facei - mesh.nInternalFaces();
@@ -149,12 +154,13 @@ OwnPiece ownPiece(
 {
     OwnPiece piece;
     const std::optional<CellLayer> layer(findLayer(mesh, messages));
-    const CyclicPatches cyclic(mesh, messages);
+    const labelHashSet cyclicEnds(layer ? layer->cyclicEnds : labelHashSet());
+    const CyclicPatches cyclic(mesh, messages, cyclicEnds);
     CellComplexInput& own = piece.cells;
-    own = cellsOf(mesh, walls);
+    own = cellsOf(mesh, walls, cyclicEnds);
     splitThinWallPoints(own);
     own.globalCells = globalNumbers(cellNumbers);
-    const CoupledPoints points(mesh, own, messages);
+    const CoupledPoints points(mesh, own, cyclic, messages);
     const bool shares = messages.nRanks() > 1 || cyclic.any();
     own.globalPoints = shares ? points.numbers() : identity(own.points.size());
     label nPoints = points.total();

@@ -36,13 +36,15 @@ Usage
     \endtable
     The body lies at \c centre at time 0 and is filled with water (alpha.water = 1);
     a plane is filled on the side that the normal leaves; its cells are boxes. A
-    deformed sphere does not rotate, translate or drift. A disc is that of a mesh
-    between \c empty planes or, as a section through a body of revolution, of a wedge;
-one that is strained does not rotate or translate.
+    deformed sphere does not rotate, translate or drift. A disc is the
+    section of a cylinder across layers of cells, between \c empty or symmetry planes or
+    cyclic patches, or, on a wedge, of a body of revolution; one that is strained does
+    not rotate or translate.
 */
 
 #include "fvCFD.H"
 
+#include "cyclicPolyPatch.H"
 #include "emptyPolyPatch.H"
 #include "symmetryPlanePolyPatch.H"
 #include "wedgePolyPatch.H"
@@ -187,37 +189,61 @@ private:
         return Foam::max(0.0, Foam::min(1.0, volumes / mesh.cellVolumes()));
     }
 
-    // The faces in which the cells end on the low side, and what lies across them.
+    // What lies across the layers of cells, and the face of each cell on the low side.
     struct Section
     {
         bool wedge = false;
         vector normal{Zero};
-        DynamicList<label> ends; // faces of the mesh
+        labelList ends;
     };
 
+    static bool isEnd(const polyPatch& patch)
+    {
+        return isA<wedgePolyPatch>(patch) || isA<emptyPolyPatch>(patch)
+               || isA<symmetryPlanePolyPatch>(patch);
+    }
+
+    // The axis across which the layers of cells lie is that of the last patch at their
+    // ends, where there are none of the last cyclic patch.
     static Section sectionOf(const polyMesh& mesh)
     {
         Section section;
+        const auto lieAcross = [&](const polyPatch& patch)
+        {
+            const vector size(cmptMag(patch.faceAreas()[0]));
+            direction d = size.x() > size.y() ? 0 : 1;
+            d = size.z() > size[d] ? 2 : d;
+            section.normal = Zero;
+            section.normal[d] = 1;
+            section.wedge = section.wedge || isA<wedgePolyPatch>(patch);
+        };
         for (const polyPatch& patch : mesh.boundaryMesh())
         {
-            const bool wedge = isA<wedgePolyPatch>(patch);
-            if (!wedge && !isA<emptyPolyPatch>(patch)
-                && !isA<symmetryPlanePolyPatch>(patch))
+            if (isA<cyclicPolyPatch>(patch) && !patch.empty())
             {
-                continue;
+                lieAcross(patch);
             }
-            section.wedge = section.wedge || wedge;
-            for (label i = 0; i < patch.size(); ++i)
+        }
+        for (const polyPatch& patch : mesh.boundaryMesh())
+        {
+            if (isEnd(patch) && !patch.empty())
             {
-                const vector area(patch.faceAreas()[i]);
-                const vector size(cmptMag(area));
-                direction d = size.x() > size.y() ? 0 : 1;
-                d = size.z() > size[d] ? 2 : d;
-                section.normal = Zero;
-                section.normal[d] = 1;
-                if (area[d] < 0)
+                lieAcross(patch);
+            }
+        }
+        section.ends = labelList(mesh.nCells(), -1);
+        forAll(section.ends, celli)
+        {
+            scalar lowest = GREAT;
+            for (const label facei : mesh.cells()[celli])
+            {
+                const vector& area = mesh.faceAreas()[facei];
+                const scalar up = (area & section.normal) / mag(area)
+                                  * (mesh.faceOwner()[facei] == celli ? 1 : -1);
+                if (up < lowest)
                 {
-                    section.ends.append(patch.start() + i);
+                    lowest = up;
+                    section.ends[celli] = facei;
                 }
             }
         }
@@ -238,10 +264,10 @@ private:
             return vector2D(stretch * place.x(), across * place.y());
         };
         scalarField fractions(mesh.nCells(), 0);
-        for (const label facei : section.ends)
+        forAll(section.ends, celli)
         {
             List<vector2D> polygon;
-            for (const label pointi : mesh.faces()[facei])
+            for (const label pointi : mesh.faces()[section.ends[celli]])
             {
                 polygon.append(inPlane(mesh.points()[pointi], time));
             }
@@ -253,7 +279,7 @@ private:
                 share +=
                     section.wedge ? disc.moment / all.moment : disc.area / all.area;
             }
-            fractions[mesh.faceOwner()[facei]] = Foam::max(0.0, Foam::min(1.0, share));
+            fractions[celli] = Foam::max(0.0, Foam::min(1.0, share));
         }
         return fractions;
     }
