@@ -168,6 +168,53 @@ PlainSurface hemisphere(const point& centre, scalar radius, label levels)
     return {welder.points(), List<triFace>(std::move(triangles))};
 }
 
+PlainSurface ringedHemisphere(const point& centre, scalar radius, label nRings)
+{
+    PlainSurface surface;
+    DynamicList<point> points;
+    DynamicList<triFace> triangles;
+    // The point with this number of a ring, which is closed.
+    const auto onRing = [](label ring, label i)
+    { return ring == 0 ? 0 : 3 * ring * (ring - 1) + 1 + i % (6 * ring); };
+    for (label ring = 0; ring <= nRings; ++ring)
+    {
+        const scalar polar = 0.25 * twoPi * ring / nRings;
+        for (label i = 0; i < max(1, 6 * ring); ++i)
+        {
+            const scalar phi = ring == 0 ? 0 : twoPi * i / (6 * ring);
+            points.append(
+                centre
+                + radius
+                      * vector(
+                          std::sin(polar) * std::cos(phi),
+                          std::sin(polar) * std::sin(phi), std::cos(polar)
+                      )
+            );
+        }
+        for (label sector = 0; sector < 6 && ring > 0; ++sector)
+        {
+            for (label i = 0; i < ring; ++i)
+            {
+                const label inner = (ring - 1) * sector + i, outer = ring * sector + i;
+                triangles.append(triFace(
+                    onRing(ring - 1, inner), onRing(ring, outer),
+                    onRing(ring, outer + 1)
+                ));
+                if (i < ring - 1)
+                {
+                    triangles.append(triFace(
+                        onRing(ring - 1, inner), onRing(ring, outer + 1),
+                        onRing(ring - 1, inner + 1)
+                    ));
+                }
+            }
+        }
+    }
+    surface.points = points;
+    surface.triangles = triangles;
+    return surface;
+}
+
 PlainSurface columns(const std::vector<std::string>& plan)
 {
     using Node = std::array<label, 3>;

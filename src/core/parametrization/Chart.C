@@ -3,6 +3,7 @@
 #include "core/parametrization/Chart.H"
 
 #include "core/base/Errors.H"
+#include "core/parametrization/ChartDistortion.H"
 #include "core/parametrization/EdgePaths.H"
 #include "core/parametrization/SeamStraightening.H"
 #include "core/parametrization/SmallestBox.H"
@@ -28,90 +29,68 @@ constexpr label maxFurtherCuts = 4;
 // A chart that is worse than this, further cuts and all, is no better than Tutte's.
 constexpr scalar absurdAreaRatio = 1e4;
 
-scalar signedArea(const List<vector2D>& p, const triFace& t)
+// What became of one method on one cut.
+struct Trial
 {
-    return 0.5 * (p[t[1]] - p[t[0]]).perp(p[t[2]] - p[t[0]]);
-}
+    FlatteningResult flat; // without parameters where it failed
+    std::string failure;   // why
+};
 
-// Largest over smallest ratio of areas in the chart and on the surface, of the
-// triangles around each vertex; vertices of practically no area do not count.
-scalar areaRatioOf(const PlainSurface& disk, const List<vector2D>& parameters)
+Trial tryFlattening(const Flattening& method, const PlainSurface& disk)
 {
-    scalarField inChart(disk.points.size(), 0);
-    scalarField onSurface(disk.points.size(), 0);
-    scalar total = 0;
-    for (const triFace& t : disk.triangles)
-    {
-        const scalar area = t.mag(disk.points);
-        total += area;
-        for (const label vertex : t)
-        {
-            inChart[vertex] += signedArea(parameters, t);
-            onSurface[vertex] += area;
-        }
-    }
-    scalar largest = 0;
-    scalar smallest = VGREAT;
-    forAll(inChart, vertex)
-    {
-        if (onSurface[vertex] > 1e-12 * total)
-        {
-            const scalar scale = inChart[vertex] * (total / onSurface[vertex]);
-            largest = max(largest, scale);
-            smallest = min(smallest, scale);
-        }
-    }
-    return largest / smallest;
-}
-
-// Empty where it fails; `failure` then says why.
-List<vector2D>
-tryFlattening(const Flattening& method, const PlainSurface& disk, std::string& failure)
-{
+    Trial trial;
     try
     {
-        List<vector2D> parameters = method.flatten(disk);
-        if (isOneToOne(disk, parameters))
+        trial.flat = method.flatten(disk);
+        if (isOneToOne(disk, trial.flat.parameters))
         {
-            return parameters;
+            return trial;
         }
-        failure = "its triangles overlap in the plane";
+        trial.failure = "its triangles overlap in the plane";
     }
     catch (const NumericalFailure& error)
     {
-        failure = error.what(); // as good as an overlap: the caller has other ways
+        trial.failure =
+            error.what(); // as good as an overlap: the caller has other ways
     }
-    return List<vector2D>();
+    trial.flat.parameters.clear();
+    return trial;
 }
 
 // Adopts the first chart, and later ones with less than half the areaRatio.
-bool adopt(
-    Chart& best, scalar areaRatio, List<vector2D>&& parameters,
-    const List<CornerIndices>& corners
+void adopt(
+    Chart& best, scalar areaRatio, Trial&& trial, const List<CornerIndices>& corners,
+    const std::string& method
 )
 {
     if (!best.parameters.empty() && areaRatio >= 0.5 * best.areaRatio)
     {
-        return false;
+        return;
     }
-    best.parameters = std::move(parameters);
+    best.parameters = std::move(trial.flat.parameters);
     best.corners = corners;
     best.areaRatio = areaRatio;
-    return true;
+    best.method = method;
+    best.residual = trial.flat.residual;
+    best.iterations = trial.flat.iterations;
+    best.stopped = trial.flat.cause;
 }
 
-// The chart on the present cut; false where it was not adopted.
-bool consider(
-    Chart& best, const DiskCut& cut, const PlainSurface& disk, const Flattening& method
+// The chart on the present cut, where it is adopted.
+void consider(
+    Chart& best, const DiskCut& cut, const PlainSurface& disk,
+    const NamedFlattening& by, std::string& failure
 )
 {
-    List<vector2D> parameters = tryFlattening(method, disk, best.failure);
-    if (parameters.empty())
+    Trial trial = tryFlattening(*by.method, disk);
+    if (trial.flat.parameters.empty())
     {
-        return false;
+        failure = trial.failure;
+        return;
     }
-    const scalar ratio = areaRatioOf(disk, parameters);
-    return adopt(best, ratio, std::move(parameters), cut.fans().corners);
+    const List<CornerIndices>& corners = cut.fans().corners;
+    const scalar ratio = areaRatioOf(disk, corners, trial.flat.parameters);
+    adopt(best, ratio, std::move(trial), corners, by.name);
 }
 
 // The surface, each hole closed by a fan of triangles around its middle; the longest
@@ -152,8 +131,8 @@ PlainSurface filled(const PlainSurface& surface, const List<labelList>& loops)
 }
 
 // A surface of genus 0 with holes may do without a cut: an almost flat one, opened
-// along a cut, would touch or overlap itself there.
-bool considerUncut(Chart& best, const PlainSurface& surface, const Flattening& method)
+// along a cut, would touch or overlap itself there. True where it is fine without.
+bool considerUncut(Chart& best, const PlainSurface& surface, const NamedFlattening& by)
 {
     const label nPoints = surface.points.size();
     const SurfaceShape shape = shapeOf(nPoints, surface.triangles);
@@ -161,22 +140,23 @@ bool considerUncut(Chart& best, const PlainSurface& surface, const Flattening& m
     {
         return false;
     }
-    List<vector2D> parameters = tryFlattening(
-        method, filled(surface, boundaryLoops(nPoints, surface.triangles)), best.failure
+    Trial trial = tryFlattening(
+        *by.method, filled(surface, boundaryLoops(nPoints, surface.triangles))
     );
-    if (parameters.empty())
+    if (trial.flat.parameters.empty())
     {
         return false;
     }
-    parameters.setSize(nPoints);
+    trial.flat.parameters.setSize(nPoints);
     List<CornerIndices> corners(surface.triangles.size());
     forAll(corners, trianglei)
     {
         const triFace& t = surface.triangles[trianglei];
         corners[trianglei] = CornerIndices{t[0], t[1], t[2]};
     }
-    const scalar ratio = areaRatioOf(surface, parameters);
-    return adopt(best, ratio, std::move(parameters), corners);
+    const scalar ratio = areaRatioOf(surface, corners, trial.flat.parameters);
+    adopt(best, ratio, std::move(trial), corners, by.name);
+    return ratio <= fineAreaRatio;
 }
 
 // The vertex farthest from the present boundary, to which the next cut leads.
@@ -191,83 +171,99 @@ label innermost(const PlainSurface& disk)
 // Scales the chart to the area of the surface.
 void giveAreaOf(const PlainSurface& surface, Chart& chart)
 {
-    scalar onSurface = 0;
-    scalar inChart = 0;
-    forAll(surface.triangles, trianglei)
-    {
-        const CornerIndices& c = chart.corners[trianglei];
-        onSurface += surface.triangles[trianglei].mag(surface.points);
-        inChart += signedArea(chart.parameters, triFace(c[0], c[1], c[2]));
-    }
-    const scalar factor = std::sqrt(onSurface / inChart);
+    const scalar factor =
+        std::sqrt(surface.area() / chartArea(chart.corners, chart.parameters));
     for (vector2D& p : chart.parameters)
     {
         p *= factor;
     }
 }
 
-// Tutte's method on both cuts; `chart.failure` stays that of the method asked for.
-void fallBack(Chart& chart, const DiskCut& shortest, const DiskCut& extended)
+// The method on the shortest cut, then on longer ones until the chart is good. Returns
+// the last cut.
+DiskCut cutFurther(
+    Chart& best, const DiskCut& shortest, const NamedFlattening& by,
+    std::string& failure
+)
 {
-    std::string failure(chart.failure);
-    if (!chart.parameters.empty())
+    DiskCut cut(shortest);
+    for (label further = 0;; ++further)
     {
-        failure = "its areas shrink to less than 1/10000 of others";
+        const PlainSurface disk = cut.disk();
+        consider(best, cut, disk, by, failure);
+        const bool good =
+            !best.parameters.empty() && best.areaRatio <= tolerableAreaRatio;
+        const label inside =
+            good || by.method->wantsShortestCut() ? -1 : innermost(disk);
+        if (inside < 0 || further == maxFurtherCuts)
+        {
+            return cut;
+        }
+        cut.extendTo(cut.fans().points[inside]);
     }
-    const std::unique_ptr<Flattening> tutte = Flattening::New("tutte");
-    chart.fallback = consider(chart, shortest, shortest.disk(), *tutte);
-    chart.fallback |= consider(chart, extended, extended.disk(), *tutte);
-    if (chart.parameters.empty())
+}
+
+// The methods in their order, until the chart will do.
+void flattenCut(
+    Chart& chart, const DiskCut& shortest, const std::vector<NamedFlattening>& methods
+)
+{
+    std::string failures, failure;
+    const DiskCut extended(cutFurther(chart, shortest, methods[0], failure));
+    for (std::size_t i = 1;
+         chart.parameters.empty() || chart.areaRatio > absurdAreaRatio; ++i)
     {
-        chart.fallback = true;
-        failure += "; nor did Tutte's: " + chart.failure;
+        if (!chart.parameters.empty())
+        {
+            failure = "its areas shrink to less than 1/10000 of others";
+        }
+        failures += (failures.empty() ? "" : "; ") + methods[i - 1].name + " failed ("
+                    + failure + ")";
+        if (i == methods.size())
+        {
+            break;
+        }
+        consider(chart, shortest, shortest.disk(), methods[i], failure);
+        consider(chart, extended, extended.disk(), methods[i], failure);
     }
-    chart.failure = failure;
+    chart.failure = failures;
 }
 
 } // namespace
 
-Chart makeChart(const PlainSurface& given, const Flattening& method)
+std::vector<NamedFlattening> flatteningsFor(const std::string& method)
+{
+    std::vector<NamedFlattening> methods{{method, Flattening::New(method)}};
+    for (const std::string& name : Flattening::fallbacksOf(method))
+    {
+        methods.push_back({name, Flattening::New(name)});
+    }
+    return methods;
+}
+
+Chart makeChart(const PlainSurface& given, const std::vector<NamedFlattening>& methods)
 {
     Chart chart;
     PlainSurface surface(given);
     try
     {
-        const DiskCut shortest(surface);
-        const bool uncut =
-            considerUncut(chart, surface, method) && chart.areaRatio <= fineAreaRatio;
-        if (!uncut)
+        if (!(surface.area() > 0))
+        {
+            throw NumericalFailure("it has no area");
+        }
+        const label nBranches = methods[0].method->wantsShortestCut() ? 0 : 2;
+        const DiskCut shortest(surface, nBranches);
+        if (!considerUncut(chart, surface, methods[0]))
         {
             straightenSeams(surface, shortest.seams());
-        }
-        DiskCut cut(shortest);
-        for (label further = 0; !uncut; ++further)
-        {
-            const PlainSurface disk = cut.disk();
-            consider(chart, cut, disk, method);
-            const bool good =
-                !chart.parameters.empty() && chart.areaRatio <= tolerableAreaRatio;
-            const label inside = good ? -1 : innermost(disk);
-            if (inside < 0 || further == maxFurtherCuts)
-            {
-                break;
-            }
-            cut.extendTo(cut.fans().points[inside]);
-        }
-        if (chart.parameters.empty() || chart.areaRatio > absurdAreaRatio)
-        {
-            fallBack(chart, shortest, cut);
+            flattenCut(chart, shortest, methods);
         }
     }
     catch (const NumericalFailure& error)
     {
-        chart.fallback = true;
-        chart.failure = error.what();
+        chart.failure = methods[0].name + " failed (" + error.what() + ")";
     }
-    if (!chart.fallback)
-    {
-        chart.failure.clear(); // of trials
-    }
+    chart.fallback = chart.method != methods[0].name;
     chart.points = surface.points;
     if (!chart.parameters.empty())
     {

@@ -14,7 +14,7 @@
 namespace Foam::stability
 {
 
-DiskCut::DiskCut(const PlainSurface& surface)
+DiskCut::DiskCut(const PlainSurface& surface, label nBranches)
     : surface_(surface), topology_(surface.points.size(), surface.triangles),
       cut_(topology_.edges().size(), false), border_(topology_.edges().size(), false)
 {
@@ -31,7 +31,7 @@ DiskCut::DiskCut(const PlainSurface& surface)
         }
     }
     cut_ = border_;
-    if (!closed || !openClosedSphere())
+    if (!closed || !openClosedSphere(nBranches))
     {
         cutComplement(growTree());
     }
@@ -45,7 +45,7 @@ DiskCut::DiskCut(const PlainSurface& surface)
 
 // A closed component of genus 0 has no loop to cut along: it is opened between two
 // points far apart. False for any other genus.
-bool DiskCut::openClosedSphere()
+bool DiskCut::openClosedSphere(label nBranches)
 {
     const SurfaceShape shape = shapeOf(surface_.points.size(), surface_.triangles);
     if (shape.euler != 2)
@@ -79,7 +79,6 @@ bool DiskCut::openClosedSphere()
     }
     // Branches to what is then farthest from the cut: along a single slit the chart of
     // a sphere varies by 35 times in area, with two branches by 5, and p drifts less.
-    constexpr label nBranches = 2;
     for (label i = 0; i < nBranches; ++i)
     {
         addBranch();

@@ -2,12 +2,15 @@
 
 #include "core/parametrization/FlatteningMethods.H"
 
+#include "core/parametrization/SphereMapping.H"
+#include "core/parametrization/abf/AngleBasedFlattening.H"
 #include "core/parametrization/cgal/CgalFlattening.H"
 #include "core/parametrization/cgal/SimplePolygon.H"
 #include "core/base/Errors.H"
 #include "core/parametrization/SurfaceShape.H"
 
 #include <cmath>
+#include <functional>
 
 namespace Foam::stability
 {
@@ -41,30 +44,78 @@ scalar extent(const List<vector2D>& chart)
     return largest;
 }
 
+struct Method
+{
+    std::string name;
+    bool isFallback; // of others
+    std::function<std::unique_ptr<Flattening>()> make;
+};
+
+// In the order in which they are fallbacks.
+const std::vector<Method>& methods()
+{
+    static const std::vector<Method> all{
+        {"abf", true, [] { return std::make_unique<AngleBasedFlattening>(60); }},
+        {"linAbf", true, [] { return std::make_unique<AngleBasedFlattening>(1); }},
+        {"lscm", true, [] { return std::make_unique<LscmFlattening>(); }},
+        {"arap", false, [] { return std::make_unique<ArapFlattening>(); }},
+        {"sphere", false, [] { return std::make_unique<SphereMapping>(); }},
+        {"tutte", true, [] { return std::make_unique<TutteFlattening>(); }},
+    };
+    return all;
+}
+
 } // namespace
+
+scalar PlainSurface::area() const
+{
+    scalar sum = 0;
+    for (const triFace& t : triangles)
+    {
+        sum += t.mag(points);
+    }
+    return sum;
+}
 
 const std::vector<std::string>& Flattening::names()
 {
-    static const std::vector<std::string> known{"lscm", "tutte"};
+    static const std::vector<std::string> known = []
+    {
+        std::vector<std::string> all;
+        for (const Method& method : methods())
+        {
+            all.emplace_back(method.name);
+        }
+        return all;
+    }();
     return known;
 }
 
-std::unique_ptr<Flattening> Flattening::New(const std::string& method)
+std::vector<std::string> Flattening::fallbacksOf(const std::string& method)
 {
-    if (method == "lscm")
+    std::vector<std::string> others;
+    for (const Method& other : methods())
     {
-        return std::make_unique<LscmFlattening>();
+        if (other.isFallback && other.name != method)
+        {
+            others.emplace_back(other.name);
+        }
     }
-    if (method == "tutte")
-    {
-        return std::make_unique<TutteFlattening>();
-    }
+    return others;
+}
+
+std::unique_ptr<Flattening> Flattening::New(const std::string& name)
+{
     std::string known;
-    for (const std::string& name : names())
+    for (const Method& method : methods())
     {
-        known += (known.empty() ? "" : ", ") + name;
+        if (method.name == name)
+        {
+            return method.make();
+        }
+        known += (known.empty() ? "" : ", ") + std::string(method.name);
     }
-    throw BadInput("Unknown flattening \"" + method + "\"; known are " + known + ".");
+    throw BadInput("Unknown flattening \"" + name + "\"; known are " + known + ".");
 }
 
 // With positive triangles the map covers each point as often as the boundary winds

@@ -151,18 +151,21 @@ unrolled(const InterfaceMesh& mesh, const Patch& patch, const PlaneSection& sect
         refinedRibbon(patch.surface, section, stripLength * meanCellSize(mesh, patch));
     flat.chart = ribbonChart(flat.copy.surface, section);
     flat.parameters = flat.chart.parameters;
+    flat.chart.method = flat.parameters.empty() ? "" : "arcLength";
     flat.chart.fallback = flat.parameters.empty();
+    flat.chart.failure = "it is not one curve";
+    flat.chart.points = flat.copy.surface.points;
     return flat;
 }
 
 FlatPatch flattened(
-    const InterfaceMesh& mesh, const Patch& patch, const Flattening& method,
-    scalar edgeLength
+    const InterfaceMesh& mesh, const Patch& patch,
+    const std::vector<NamedFlattening>& methods, scalar edgeLength
 )
 {
     FlatPatch flat;
     flat.copy = remesh(patch.surface, edgeLength * meanCellSize(mesh, patch));
-    flat.chart = makeChart(flat.copy.surface, method);
+    flat.chart = makeChart(flat.copy.surface, methods);
     flat.copy.surface.points = flat.chart.points;
     flat.parameters = upright(flat.chart.parameters);
     return flat;
@@ -278,22 +281,17 @@ scalar packFlats(
     return scales.x();
 }
 
-std::vector<ParametrizationFallback> fallbacksOf(
-    const List<Patch>& patches, const List<FlatPatch>& flats, const std::string& method
-)
+std::vector<ChartReport>
+reportsOf(const List<Patch>& patches, const List<FlatPatch>& flats)
 {
-    std::vector<ParametrizationFallback> here;
+    std::vector<ChartReport> here;
     forAll(flats, i)
     {
-        const PlainSurface& surface = patches[i].surface;
-        const std::string text(failureText(flats[i].copy, flats[i].chart, method));
-        if (!text.empty())
-        {
-            here.push_back(
-                {flats[i].number + 1, surface.triangles.size(), average(surface.points),
-                 text}
-            );
-        }
+        const FlatPatch& flat = flats[i];
+        here.push_back(
+            reportOf(patches[i].surface, flat.copy, flat.chart, flat.parameters)
+        );
+        here.back().patch = flat.number + 1;
     }
     return here;
 }
@@ -306,7 +304,7 @@ ParametrizationResult parametrize(
 )
 {
     // An unknown method fails on all ranks, also on those without components.
-    const std::unique_ptr<Flattening> method = Flattening::New(options.flattening);
+    const std::vector<NamedFlattening> methods(flatteningsFor(options.flattening));
     ParametrizationResult result;
     List<Patch> patches;
     List<FlatPatch> flats;
@@ -322,7 +320,7 @@ ParametrizationResult parametrize(
                 flat = section
                            ? unrolled(interface.mesh, patches[i], *section)
                            : flattened(
-                               interface.mesh, patches[i], *method, options.edgeLength
+                               interface.mesh, patches[i], methods, options.edgeLength
                            );
                 result.nCharts += !flat.chart.parameters.empty();
                 result.nFallbacks += flat.chart.fallback;
@@ -342,8 +340,7 @@ ParametrizationResult parametrize(
     runOnAllRanks(
         exchange, [&] { result.surface = joined(interface.mesh, patches, flats); }
     );
-    result.fallbacks =
-        gathered(fallbacksOf(patches, flats, options.flattening), exchange);
+    result.charts = gathered(reportsOf(patches, flats), exchange);
     return result;
 }
 

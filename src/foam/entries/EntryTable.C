@@ -125,7 +125,7 @@ EntryRows surfaceRows()
 EntryRows flowRows()
 {
     return {
-        {"flattening", "lscm", choice(Flattening::names()), general,
+        {"flattening", "abf", choice(Flattening::names()), general,
          "how the first interface is flattened"},
         {"wallVelocity", "slip", choice(wallVelocityNames()), general,
          "how the surface feels walls"},

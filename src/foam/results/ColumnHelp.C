@@ -4,6 +4,7 @@
 
 #include "core/comparison/StabilityTables.H"
 #include "core/comparison/SubGridDroplets.H"
+#include "core/parametrization/ChartReport.H"
 #include "core/results/MethodScore.H"
 #include "foam/results/Timings.H"
 
@@ -40,8 +41,8 @@ std::string listOf(const TableLayout<Row>& table)
 std::string listOfColumns()
 {
     return listOf(stabilityTable()) + '\n' + listOf(survivalTable()) + '\n'
-           + listOf(dropletTable()) + '\n' + listOf(timingTable()) + '\n'
-           + listOf(methodTable());
+           + listOf(dropletTable()) + '\n' + listOf(chartTable()) + '\n'
+           + listOf(timingTable()) + '\n' + listOf(methodTable());
 }
 
 } // namespace Foam::stability

@@ -106,18 +106,21 @@ void ProgressReport::showDetails(const Classification& c) const
 // Sprays have thousands of patches: the first ones tell enough.
 void ProgressReport::showFallbacks(const ParametrizationResult& p, const word& timeName)
 {
-    constexpr std::size_t mostShown = 20;
-    for (std::size_t i = 0; i < std::min(p.fallbacks.size(), mostShown); ++i)
+    constexpr label mostShown = 20;
+    label nFallbacks = 0;
+    for (const ChartReport& chart : p.charts)
     {
-        const ParametrizationFallback& fallback = p.fallbacks[i];
-        Info << "interfaceStability: at time " << timeName << " s patch "
-             << fallback.patch << " of " << p.nPatches << " (" << fallback.nTriangles
-             << " triangles, around " << fallback.centre
-             << "): " << fallback.what.c_str() << endl;
+        if (!chart.fallback.empty() && nFallbacks++ < mostShown)
+        {
+            Info << "interfaceStability: at time " << timeName << " s patch "
+                 << chart.patch << " of " << p.nPatches << " (" << chart.nTriangles
+                 << " triangles, around " << chart.centre
+                 << "): " << chart.fallback.c_str() << endl;
+        }
     }
-    if (p.fallbacks.size() > mostShown)
+    if (nFallbacks > mostShown)
     {
-        Info << "interfaceStability: and " << label(p.fallbacks.size() - mostShown)
+        Info << "interfaceStability: and " << nFallbacks - mostShown
              << " patches more that were not treated as asked" << endl;
     }
 }

@@ -12,7 +12,7 @@ namespace Foam::stability
 ResultFolder::ResultFolder(const fileName& path, label precision)
     : path_(path), files_(path), stability_(stabilityTable(), precision),
       survival_(survivalTable(), precision), droplets_(dropletTable(), precision),
-      timing_(timingTable(), precision)
+      charts_(chartTable(), precision), timing_(timingTable(), precision)
 {
     const std::string inTheWay = inTheWayOf(path_);
     if (!inTheWay.empty())
@@ -28,7 +28,7 @@ void ResultFolder::open()
         files_.begin();
         for (const std::string& table :
              {stabilityTable().file, survivalTable().file, dropletTable().file,
-              timingTable().file})
+              chartTable().file, timingTable().file})
         {
             files_.add(table);
         }
@@ -49,6 +49,14 @@ void ResultFolder::writeTables(const Classification& c)
         droplets_.addRow({droplet, statistics.time});
     }
     droplets_.write(path_);
+    if (c.parametrization)
+    {
+        for (const ChartReport& chart : c.parametrization->charts)
+        {
+            charts_.addRow({chart, statistics.time});
+        }
+    }
+    charts_.write(path_);
 }
 
 void ResultFolder::writeTimings(const TimingRow& row)

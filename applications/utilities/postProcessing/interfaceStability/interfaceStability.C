@@ -33,9 +33,9 @@ Usage
 
     The results are in postProcessing/interfaceStability/\<startTime\>: surfaces and
     particles as VTK files, each family with a .vtp.series for ParaView, and tables
-    stability.dat, survival.dat, droplets.dat and timing.dat. Those of an earlier run
-    from the same start time are put aside in the folder previous there, and removed
-    when this run has come to its end.
+    stability.dat, survival.dat, droplets.dat, charts.dat and timing.dat. Those of an
+    earlier run from the same start time are put aside in the folder previous there, and
+    removed when this run has come to its end.
 
     With the entry methods of the dictionary every method that it lists is run on the
     same flow, with results in postProcessing/interfaceStability_\<name\>, and

@@ -213,14 +213,9 @@ RemeshingResult remeshed(const PlainSurface& surface, scalar edgeLength)
 
 RemeshingResult remesh(const PlainSurface& surface, scalar edgeLength)
 {
-    scalar area = 0;
-    for (const triFace& t : surface.triangles)
-    {
-        area += t.mag(surface.points);
-    }
     const scalar triangleArea = 0.25 * std::sqrt(3.0) * edgeLength * edgeLength;
     if (surface.triangles.size() < fewestTriangles || !(edgeLength > 0)
-        || !(area > fewestTriangles * triangleArea))
+        || !(surface.area() > fewestTriangles * triangleArea))
     {
         return keep(surface);
     }

@@ -52,18 +52,19 @@ class Useless : public Flattening
 public:
     explicit Useless(bool folds) : folds_(folds) {}
 
-    List<vector2D> flatten(const PlainSurface& surface) const override
+    FlatteningResult flatten(const PlainSurface& surface) const override
     {
         if (!folds_)
         {
             throw NumericalFailure("Useless.");
         }
-        List<vector2D> chart = Flattening::New("tutte")->flatten(surface);
+        FlatteningResult result = Flattening::New("tutte")->flatten(surface);
+        List<vector2D>& chart = result.parameters;
         for (vector2D& p : chart)
         {
             p.x() = mag(p.x() - chart[0].x());
         }
-        return chart;
+        return result;
     }
 
 private:
@@ -74,15 +75,18 @@ private:
 
 TEST(Chart, IsOneToOneForEveryTopology)
 {
-    const auto lscm = Flattening::New("lscm");
-    for (const PlainSurface& surface :
-         {sphere(point(1, 2, 3), 0.01, 3), torus(1, 0.4, 48, 24),
-          hemisphere(point(0, 0, 0), 1, 3), columns({"XXXXX", "X X X", "XXXXX"})})
+    for (const char* name : {"abf", "lscm"})
     {
-        const Chart chart = makeChart(surface, *lscm);
-        EXPECT_FALSE(chart.fallback);
-        expectOneToOne(surface, chart);
-        EXPECT_GE(chart.areaRatio, 1);
+        for (const PlainSurface& surface :
+             {sphere(point(1, 2, 3), 0.01, 3), torus(1, 0.4, 48, 24),
+              hemisphere(point(0, 0, 0), 1, 3), columns({"XXXXX", "X X X", "XXXXX"})})
+        {
+            const Chart chart = makeChart(surface, flatteningsFor(name));
+            EXPECT_FALSE(chart.fallback);
+            EXPECT_EQ(chart.method, name);
+            expectOneToOne(surface, chart);
+            EXPECT_GE(chart.areaRatio, 1);
+        }
     }
 }
 
@@ -90,7 +94,7 @@ TEST(Chart, IsOneToOneForEveryTopology)
 // would touch itself. A tube is better off cut.
 TEST(Chart, RingsNeedNoCut)
 {
-    const auto lscm = Flattening::New("lscm");
+    const auto lscm = flatteningsFor("lscm");
     for (const scalar waves : {0.0, 0.1})
     {
         PlainSurface ring = annulus(0.5, 1, 48, 8);
@@ -98,7 +102,7 @@ TEST(Chart, RingsNeedNoCut)
         {
             p.z() += waves * std::sin(5 * p.x() + 3 * p.y());
         }
-        const Chart chart = makeChart(ring, *lscm);
+        const Chart chart = makeChart(ring, lscm);
         EXPECT_FALSE(chart.fallback);
         EXPECT_EQ(chart.parameters.size(), ring.points.size());
         const List<triFace> triangles = trianglesOf(chart);
@@ -111,7 +115,7 @@ TEST(Chart, RingsNeedNoCut)
         { return point(std::cos(2 * M_PI * u), std::sin(2 * M_PI * u), 3 * v); },
         24, 12, true
     );
-    const Chart chart = makeChart(tube, *lscm);
+    const Chart chart = makeChart(tube, lscm);
     EXPECT_FALSE(chart.fallback);
     EXPECT_GT(chart.parameters.size(), tube.points.size());
     expectOneToOne(tube, chart);
@@ -123,7 +127,7 @@ TEST(Chart, IsTurnedUpright)
 {
     const scalar radius = 0.5, height = 3;
     const PlainSurface surface = openCylinder(radius, height, 270, 96, 24);
-    const Chart chart = makeChart(surface, *Flattening::New("lscm"));
+    const Chart chart = makeChart(surface, flatteningsFor("lscm"));
     vector2D low = chart.parameters[0], high = low;
     for (const vector2D& p : chart.parameters)
     {
@@ -168,7 +172,7 @@ TEST(Chart, CutsFurtherWhereTheChartShrinks)
     finger.triangles = triangles;
     ASSERT_EQ(DiskCut(finger).seams().size(), 0);
 
-    const Chart chart = makeChart(finger, *Flattening::New("lscm"));
+    const Chart chart = makeChart(finger, flatteningsFor("lscm"));
     EXPECT_FALSE(chart.fallback);
     EXPECT_LT(chart.areaRatio, 100);
     expectOneToOne(finger, chart);
@@ -179,8 +183,18 @@ TEST(Chart, FallsBack)
     const PlainSurface surface = hemisphere(point(0, 0, 0), 1, 3);
     for (const bool folds : {false, true})
     {
-        const Chart chart = makeChart(surface, Useless(folds));
+        const auto useless = std::make_shared<Useless>(folds);
+        const Chart chart = makeChart(
+            surface, {{"one", useless},
+                      {"two", useless},
+                      {"tutte", Flattening::New("tutte")},
+                      {"lscm", Flattening::New("lscm")}}
+        );
         EXPECT_TRUE(chart.fallback);
+        EXPECT_EQ(chart.method, "tutte");
+        const std::string why =
+            folds ? "its triangles overlap in the plane" : "Useless.";
+        EXPECT_EQ(chart.failure, "one failed (" + why + "); two failed (" + why + ")");
         expectOneToOne(surface, chart);
         // On the shortest cut: none at all.
         EXPECT_EQ(chart.parameters.size(), surface.points.size());
@@ -194,7 +208,7 @@ TEST(Chart, IsEmptyWhereNothingHelps)
     {
         p = point(1, 2, 3);
     }
-    const Chart chart = makeChart(flat, *Flattening::New("lscm"));
+    const Chart chart = makeChart(flat, flatteningsFor("lscm"));
     EXPECT_TRUE(chart.fallback);
     EXPECT_TRUE(chart.parameters.empty());
 }
@@ -205,7 +219,7 @@ TEST(Chart, fallsBackWhereATriangleIsFlat)
     PlainSurface surface = openCylinder(1, 1, 90, 4, 2);
     const triFace t = surface.triangles[5];
     surface.points[t[1]] = surface.points[t[0]];
-    const Chart chart = makeChart(surface, *Flattening::New("lscm"));
+    const Chart chart = makeChart(surface, flatteningsFor("lscm"));
     EXPECT_TRUE(chart.fallback);
     EXPECT_FALSE(chart.failure.empty());
     ASSERT_FALSE(chart.parameters.empty());

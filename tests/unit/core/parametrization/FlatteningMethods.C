@@ -3,12 +3,15 @@
 #include "core/parametrization/FlatteningMethods.H"
 
 #include "core/base/Errors.H"
+#include "core/parametrization/ChartDistortion.H"
 #include "core/parametrization/DiskCut.H"
 #include "shapes/ChartOverlap.H"
 #include "shapes/RaggedSurface.H"
 #include "shapes/Surfaces.H"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 #include <cfenv>
 #include <limits>
@@ -49,19 +52,42 @@ scalar angleError(const PlainSurface& surface, const List<vector2D>& chart)
     return largest;
 }
 
+// Of a disk that is its own chart.
+List<CornerIndices> cornersOf(const PlainSurface& surface)
+{
+    List<CornerIndices> corners(surface.triangles.size());
+    forAll(corners, i)
+    {
+        const triFace& t = surface.triangles[i];
+        corners[i] = CornerIndices{t[0], t[1], t[2]};
+    }
+    return corners;
+}
+
 } // namespace
 
 // Developable surfaces flatten without any error: B8.
-TEST(Flattening, LscmIsExactForDevelopableSurfaces)
+TEST(Flattening, IsExactForDevelopableSurfaces)
 {
     for (const PlainSurface& surface :
          {openCylinder(0.031, 0.08, 270, 48, 24), openCone(1.3, 0.4, 2, 270, 48, 24)})
     {
-        const List<vector2D> chart = Flattening::New("lscm")->flatten(surface);
-        EXPECT_LT(angleError(surface, chart), 1e-8);
-        EXPECT_EQ(countFlips(chart, surface.triangles), 0);
-        EXPECT_EQ(countOverlaps(chart, surface.triangles), 0);
-        EXPECT_TRUE(isOneToOne(surface, chart));
+        for (const char* name : {"abf", "linAbf", "lscm"})
+        {
+            SCOPED_TRACE(name);
+            const FlatteningResult flat = Flattening::New(name)->flatten(surface);
+            EXPECT_LT(angleError(surface, flat.parameters), 1e-8);
+            EXPECT_LT(flat.residual, 1e-10);
+            EXPECT_TRUE(flat.cause.empty());
+            EXPECT_EQ(countFlips(flat.parameters, surface.triangles), 0);
+            EXPECT_EQ(countOverlaps(flat.parameters, surface.triangles), 0);
+            EXPECT_TRUE(isOneToOne(surface, flat.parameters));
+        }
+        // CGAL stops ARAP when its energy changes by less than 1e-6.
+        EXPECT_LT(
+            angleError(surface, Flattening::New("arap")->flatten(surface).parameters),
+            1e-3
+        );
     }
 }
 
@@ -70,10 +96,101 @@ TEST(Flattening, LscmIsExactForDevelopableSurfaces)
 TEST(Flattening, LscmOfAHemisphereIsAlmostConformal)
 {
     const PlainSurface surface = hemisphere(point(0.3, 0, 0), 1, 4);
-    const List<vector2D> chart = Flattening::New("lscm")->flatten(surface);
+    const List<vector2D> chart = Flattening::New("lscm")->flatten(surface).parameters;
     EXPECT_TRUE(isOneToOne(surface, chart));
     EXPECT_LT(angleError(surface, chart), 0.2);
     EXPECT_EQ(countOverlaps(chart, surface.triangles), 0);
+}
+
+// The conformal map of a hemisphere has an L2 stretch of sqrt(7/6) and magnifies areas
+// at the rim 4 times as much as at the pole. LSCM, pinned at two points, does not.
+TEST(Flattening, AngleBasedOfAHemisphereIsConformal)
+{
+    const PlainSurface surface = ringedHemisphere(point(0.3, 0, 0), 0.02, 58);
+    ASSERT_GT(surface.points.size(), 10000);
+    const List<CornerIndices> corners = cornersOf(surface);
+    for (const char* name : {"abf", "linAbf", "lscm"})
+    {
+        SCOPED_TRACE(name);
+        const FlatteningResult flat = Flattening::New(name)->flatten(surface);
+        EXPECT_TRUE(isOneToOne(surface, flat.parameters));
+        const scalar ratio = areaRatioOf(surface, corners, flat.parameters);
+        if (name == std::string("lscm"))
+        {
+            EXPECT_GT(mag(ratio / 4 - 1), 0.03);
+            continue;
+        }
+        const ChartDistortion d = distortionOf(surface, corners, flat.parameters);
+        EXPECT_NEAR(d.stretchL2 / std::sqrt(7.0 / 6), 1, 0.005);
+        EXPECT_NEAR(ratio / 4, 1, 0.03);
+        EXPECT_EQ(flat.iterations == 1, name == std::string("linAbf"));
+        EXPECT_EQ(flat.residual < 1e-9, name == std::string("abf"));
+    }
+}
+
+// On even triangles no other method keeps angles better, and a few iterations do.
+TEST(Flattening, AngleBasedKeepsAnglesBest)
+{
+    PlainSurface ellipsoid = sphere(point(0, 0, 0), 1, 4);
+    for (point& p : ellipsoid.points)
+    {
+        p = point(1.7 * p.x(), 0.8 * p.y(), p.z());
+    }
+    // CGAL's ARAP cannot solve its equations on the torus.
+    const std::vector<std::pair<PlainSurface, std::vector<std::string>>> cases{
+        {torus(1, 0.4, 72, 32), {"lscm"}}, {ellipsoid, {"lscm", "arap"}}};
+    for (const auto& [whole, others] : cases)
+    {
+        const PlainSurface surface = DiskCut(whole).disk();
+        const List<CornerIndices> corners = cornersOf(surface);
+        const FlatteningResult flat = Flattening::New("abf")->flatten(surface);
+        EXPECT_LE(flat.iterations, 4);
+        EXPECT_LT(flat.residual, 1e-9);
+        EXPECT_EQ(countFlips(flat.parameters, surface.triangles), 0);
+        const scalar best = distortionOf(surface, corners, flat.parameters).meanAngle;
+        EXPECT_GT(best, 0.1); // [degrees]: something to keep
+        for (const std::string& name : others)
+        {
+            const List<vector2D> other =
+                Flattening::New(name)->flatten(surface).parameters;
+            EXPECT_LT(best, distortionOf(surface, corners, other).meanAngle) << name;
+        }
+    }
+}
+
+// The same bits again, at any place and scale about the same.
+TEST(Flattening, AngleBasedIsRepeatable)
+{
+    PlainSurface surface = ringedHemisphere(point(0.3, 0, 0), 1, 8);
+    const List<vector2D> once = Flattening::New("abf")->flatten(surface).parameters;
+    EXPECT_EQ(once, Flattening::New("abf")->flatten(surface).parameters);
+    for (point& p : surface.points)
+    {
+        p = 1e-6 * p + point(7, 8, 9);
+    }
+    const List<vector2D> there = Flattening::New("abf")->flatten(surface).parameters;
+    forAll(once, i)
+    {
+        EXPECT_LT(mag(there[i] - once[i]), 1e-6);
+    }
+}
+
+// LSCM flips triangles of a raw interface, angle based flattening does not.
+TEST(Flattening, AngleBasedTakesRaggedSurfaces)
+{
+    const boundBox box(point(-1, -1, -.5), point(1, 1, 1));
+    const PlainSurface cap = marchingTetrahedra(
+        [](const point& p) { return mag(p - point(.013, .021, .007)) - .8; }, box, 16
+    );
+    for (const char* name : {"abf", "linAbf", "lscm"})
+    {
+        const FlatteningResult flat = Flattening::New(name)->flatten(cap);
+        EXPECT_EQ(
+            countFlips(flat.parameters, cap.triangles) == 0, name != std::string("lscm")
+        ) << name;
+        EXPECT_EQ(flat.residual > 1e-9, name == std::string("linAbf")) << name;
+        EXPECT_LE(flat.iterations, 12) << name;
+    }
 }
 
 // Tutte's map is one-to-one whatever the surface, here one on which LSCM flips.
@@ -85,12 +202,12 @@ TEST(Flattening, TutteIsOneToOneOnRaggedSurfaces)
     );
     const DiskCut cut(ball);
     const PlainSurface disk = cut.disk();
-    const List<vector2D> chart = Flattening::New("tutte")->flatten(disk);
+    const List<vector2D> chart = Flattening::New("tutte")->flatten(disk).parameters;
     EXPECT_TRUE(isOneToOne(disk, chart));
     EXPECT_EQ(countFlips(chart, disk.triangles), 0);
     EXPECT_EQ(countOverlaps(chart, disk.triangles), 0);
 
-    const List<vector2D> conformal = Flattening::New("lscm")->flatten(disk);
+    const List<vector2D> conformal = Flattening::New("lscm")->flatten(disk).parameters;
     EXPECT_GT(countFlips(conformal, disk.triangles), 0);
     EXPECT_FALSE(isOneToOne(disk, conformal));
 }
@@ -100,7 +217,7 @@ TEST(Flattening, TutteIsOneToOneOnRaggedSurfaces)
 TEST(Flattening, TutteIsBarycentric)
 {
     const PlainSurface surface = hemisphere(point(0, 0, 0), 2, 3);
-    const List<vector2D> chart = Flattening::New("tutte")->flatten(surface);
+    const List<vector2D> chart = Flattening::New("tutte")->flatten(surface).parameters;
     const label nPoints = surface.points.size();
     const labelList loop = boundaryLoops(nPoints, surface.triangles)[0];
     std::vector<bool> onBoundary(nPoints, false);
@@ -139,7 +256,8 @@ TEST(Flattening, KeepsOrientation)
     {
         for (const std::string& name : Flattening::names())
         {
-            const List<vector2D> chart = Flattening::New(name)->flatten(surface);
+            const List<vector2D> chart =
+                Flattening::New(name)->flatten(surface).parameters;
             EXPECT_EQ(countFlips(chart, surface.triangles), 0) << name << turn;
         }
         for (triFace& t : surface.triangles)
@@ -167,6 +285,19 @@ TEST(Flattening, NamesWhatIsKnown)
     }
 }
 
+// Whatever is asked for, Tutte's method stands at the end, and no method twice.
+TEST(Flattening, HasFallbacks)
+{
+    for (const std::string& name : Flattening::names())
+    {
+        const std::vector<std::string> others = Flattening::fallbacksOf(name);
+        EXPECT_EQ(std::count(others.begin(), others.end(), name), 0);
+        EXPECT_EQ(others.back(), name == "tutte" ? "lscm" : "tutte");
+    }
+    const std::vector<std::string> expected{"linAbf", "lscm", "tutte"};
+    EXPECT_EQ(Flattening::fallbacksOf("abf"), expected);
+}
+
 TEST(Flattening, RefusesWhatIsNoDisk)
 {
     for (const std::string& name : Flattening::names())
@@ -181,7 +312,7 @@ TEST(Flattening, RefusesWhatIsNoDisk)
 TEST(OneToOne, SeesAPlantedFlip)
 {
     const PlainSurface surface = openCylinder(1, 2, 270, 12, 6);
-    List<vector2D> chart = Flattening::New("lscm")->flatten(surface);
+    List<vector2D> chart = Flattening::New("lscm")->flatten(surface).parameters;
     ASSERT_TRUE(isOneToOne(surface, chart));
     label inner = -1;
     forAll(surface.points, i)
@@ -229,7 +360,7 @@ TEST(OneToOne, SeesAPlantedOverlap)
 TEST(OneToOne, RefusesNonsense)
 {
     const PlainSurface surface = openCylinder(1, 2, 270, 6, 3);
-    const List<vector2D> chart = Flattening::New("lscm")->flatten(surface);
+    const List<vector2D> chart = Flattening::New("lscm")->flatten(surface).parameters;
     List<vector2D> broken = chart;
     feenableexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW);
     broken[5].x() = std::nan("");
