@@ -6,7 +6,7 @@
 
 #include "core/parametrization/ChartDistortion.H"
 #include "core/base/Errors.H"
-#include "core/parametrization/DiskCut.H"
+#include "core/parametrization/seams/DiskCut.H"
 #include "core/parametrization/Remeshing.H"
 #include "shapes/RaggedSurface.H"
 #include "shapes/Surfaces.H"

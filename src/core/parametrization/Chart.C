@@ -4,8 +4,8 @@
 
 #include "core/base/Errors.H"
 #include "core/parametrization/ChartDistortion.H"
-#include "core/parametrization/EdgePaths.H"
-#include "core/parametrization/SeamStraightening.H"
+#include "core/parametrization/seams/EdgePaths.H"
+#include "core/parametrization/seams/SeamStraightening.H"
 #include "core/parametrization/SmallestBox.H"
 #include "DynamicList.H"
 
@@ -57,10 +57,26 @@ Trial tryFlattening(const Flattening& method, const PlainSurface& disk)
     return trial;
 }
 
+// The surface with straight seams, and the cut along them.
+struct Candidate
+{
+    PlainSurface surface;
+    DiskCut cut; // refers to the surface
+
+    Candidate(const PlainSurface& given, const SeamLayout& layout)
+        : surface(given), cut(surface, layout)
+    {
+        straightenSeams(surface, cut.seams());
+    }
+
+    Candidate(const Candidate&) = delete;
+    void operator=(const Candidate&) = delete;
+};
+
 // Adopts the first chart, and later ones with less than half the areaRatio.
 void adopt(
     Chart& best, scalar areaRatio, Trial&& trial, const List<CornerIndices>& corners,
-    const std::string& method
+    const pointField& points, const std::string& method
 )
 {
     if (!best.parameters.empty() && areaRatio >= 0.5 * best.areaRatio)
@@ -68,6 +84,7 @@ void adopt(
         return;
     }
     best.parameters = std::move(trial.flat.parameters);
+    best.points = points;
     best.corners = corners;
     best.areaRatio = areaRatio;
     best.method = method;
@@ -78,19 +95,20 @@ void adopt(
 
 // The chart on the present cut, where it is adopted.
 void consider(
-    Chart& best, const DiskCut& cut, const PlainSurface& disk,
-    const NamedFlattening& by, std::string& failure
+    Chart& best, const Candidate& candidate, const NamedFlattening& by,
+    std::string& failure
 )
 {
+    const PlainSurface disk = candidate.cut.disk();
     Trial trial = tryFlattening(*by.method, disk);
     if (trial.flat.parameters.empty())
     {
         failure = trial.failure;
         return;
     }
-    const List<CornerIndices>& corners = cut.fans().corners;
-    const scalar ratio = areaRatioOf(disk, corners, trial.flat.parameters);
-    adopt(best, ratio, std::move(trial), corners, by.name);
+    const List<CornerIndices>& corners = candidate.cut.fans().corners;
+    const scalar ratio = areaRatioOf(candidate.surface, corners, trial.flat.parameters);
+    adopt(best, ratio, std::move(trial), corners, candidate.surface.points, by.name);
 }
 
 // The surface, each hole closed by a fan of triangles around its middle; the longest
@@ -155,7 +173,7 @@ bool considerUncut(Chart& best, const PlainSurface& surface, const NamedFlatteni
         corners[trianglei] = CornerIndices{t[0], t[1], t[2]};
     }
     const scalar ratio = areaRatioOf(surface, corners, trial.flat.parameters);
-    adopt(best, ratio, std::move(trial), corners, by.name);
+    adopt(best, ratio, std::move(trial), corners, surface.points, by.name);
     return ratio <= fineAreaRatio;
 }
 
@@ -179,39 +197,72 @@ void giveAreaOf(const PlainSurface& surface, Chart& chart)
     }
 }
 
-// The method on the shortest cut, then on longer ones until the chart is good. Returns
-// the last cut.
-DiskCut cutFurther(
-    Chart& best, const DiskCut& shortest, const NamedFlattening& by,
-    std::string& failure
+bool isTolerable(const Chart& chart, scalar areaRatio)
+{
+    return !chart.parameters.empty() && chart.areaRatio <= areaRatio;
+}
+
+// Cuts ever further until the chart is tolerable.
+void cutFurther(
+    Chart& best, Candidate& candidate, const NamedFlattening& by, std::string& failure
 )
 {
-    DiskCut cut(shortest);
-    for (label further = 0;; ++further)
+    for (label further = 0; further < maxFurtherCuts; ++further)
     {
-        const PlainSurface disk = cut.disk();
-        consider(best, cut, disk, by, failure);
-        const bool good =
-            !best.parameters.empty() && best.areaRatio <= tolerableAreaRatio;
-        const label inside =
-            good || by.method->wantsShortestCut() ? -1 : innermost(disk);
-        if (inside < 0 || further == maxFurtherCuts)
+        const label inside = isTolerable(best, tolerableAreaRatio)
+                                 ? -1
+                                 : innermost(candidate.cut.disk());
+        if (inside < 0)
         {
-            return cut;
+            return;
         }
-        cut.extendTo(cut.fans().points[inside]);
+        candidate.cut.extendTo(candidate.cut.fans().points[inside]);
+        consider(best, candidate, by, failure);
     }
+}
+
+// The method on the shortest cut, and on longer ones where it is distorted: the longest
+// that was tried is returned, or none.
+std::unique_ptr<Candidate> cutLonger(
+    Chart& best, const PlainSurface& surface, const Candidate& shortest,
+    const NamedFlattening& by, std::string& failure
+)
+{
+    consider(best, shortest, by, failure);
+    if (isTolerable(best, fineAreaRatio) || by.method->wantsShortestCut())
+    {
+        return nullptr;
+    }
+    const SeamLayout throughPeaks(seamsThroughPeaks(surface));
+    if (!throughPeaks.terminals.empty())
+    {
+        auto longer = std::make_unique<Candidate>(surface, throughPeaks);
+        consider(best, *longer, by, failure);
+        cutFurther(best, *longer, by, failure);
+        return longer;
+    }
+    if (isTolerable(best, tolerableAreaRatio))
+    {
+        return nullptr;
+    }
+    auto longer = std::make_unique<Candidate>(surface, topologicalSeams(surface));
+    cutFurther(best, *longer, by, failure);
+    return longer;
 }
 
 // The methods in their order, until the chart will do.
 void flattenCut(
-    Chart& chart, const DiskCut& shortest, const std::vector<NamedFlattening>& methods
+    Chart& chart, const PlainSurface& surface,
+    const std::vector<NamedFlattening>& methods
 )
 {
+    const label nBranches = methods[0].method->wantsShortestCut() ? 0 : 2;
+    const Candidate shortest(surface, topologicalSeams(surface, nBranches));
     std::string failures, failure;
-    const DiskCut extended(cutFurther(chart, shortest, methods[0], failure));
-    for (std::size_t i = 1;
-         chart.parameters.empty() || chart.areaRatio > absurdAreaRatio; ++i)
+    const std::unique_ptr<Candidate> longest(
+        cutLonger(chart, surface, shortest, methods[0], failure)
+    );
+    for (std::size_t i = 1; !isTolerable(chart, absurdAreaRatio); ++i)
     {
         if (!chart.parameters.empty())
         {
@@ -223,8 +274,11 @@ void flattenCut(
         {
             break;
         }
-        consider(chart, shortest, shortest.disk(), methods[i], failure);
-        consider(chart, extended, extended.disk(), methods[i], failure);
+        consider(chart, shortest, methods[i], failure);
+        if (longest)
+        {
+            consider(chart, *longest, methods[i], failure);
+        }
     }
     chart.failure = failures;
 }
@@ -241,22 +295,21 @@ std::vector<NamedFlattening> flatteningsFor(const std::string& method)
     return methods;
 }
 
-Chart makeChart(const PlainSurface& given, const std::vector<NamedFlattening>& methods)
+Chart makeChart(
+    const PlainSurface& surface, const std::vector<NamedFlattening>& methods
+)
 {
     Chart chart;
-    PlainSurface surface(given);
+    chart.points = surface.points;
     try
     {
         if (!(surface.area() > 0))
         {
             throw NumericalFailure("it has no area");
         }
-        const label nBranches = methods[0].method->wantsShortestCut() ? 0 : 2;
-        const DiskCut shortest(surface, nBranches);
         if (!considerUncut(chart, surface, methods[0]))
         {
-            straightenSeams(surface, shortest.seams());
-            flattenCut(chart, shortest, methods);
+            flattenCut(chart, surface, methods);
         }
     }
     catch (const NumericalFailure& error)
@@ -264,11 +317,10 @@ Chart makeChart(const PlainSurface& given, const std::vector<NamedFlattening>& m
         chart.failure = methods[0].name + " failed (" + error.what() + ")";
     }
     chart.fallback = chart.method != methods[0].name;
-    chart.points = surface.points;
     if (!chart.parameters.empty())
     {
         turnIntoSmallestBox(chart.parameters);
-        giveAreaOf(surface, chart);
+        giveAreaOf({chart.points, surface.triangles}, chart);
     }
     return chart;
 }

@@ -3,7 +3,7 @@
 #include "core/parametrization/DiskBoundary.H"
 
 #include "core/base/Errors.H"
-#include "core/parametrization/EdgePaths.H"
+#include "core/parametrization/seams/EdgePaths.H"
 #include "core/parametrization/SurfaceShape.H"
 
 namespace Foam::stability

@@ -42,6 +42,19 @@ private:
     std::uint64_t present_ = 0;
 };
 
+// Each coordinate of p, held in [0, 1] if those from `low` to `high` lie there.
+vector2D withinSquare(vector2D p, const vector2D& low, const vector2D& high)
+{
+    for (direction d = 0; d < 2; ++d)
+    {
+        if (low[d] >= 0 && high[d] <= 1)
+        {
+            p[d] = std::min(std::max(p[d], scalar(0)), scalar(1));
+        }
+    }
+    return p;
+}
+
 } // namespace
 
 ParameterSheets::ParameterSheets(const MatchTarget& target, const SeamShape& shape)
@@ -97,21 +110,20 @@ vector2D ParameterSheets::limited(
     const vector2D& p, const vector2D& known, scalar distance
 ) const
 {
-    vector2D result = shortened(p, known, distance, shape_.scale);
-    for (direction d = 0; d < 2; ++d)
-    {
-        if (known[d] >= 0 && known[d] <= 1)
-        {
-            result[d] = std::min(std::max(result[d], scalar(0)), scalar(1));
-        }
-    }
-    return result;
+    return withinSquare(shortened(p, known, distance, shape_.scale), known, known);
 }
 
 vector2D
 ParameterSheets::interpolate(label trianglei, const FixedList<scalar, 3>& weights) const
 {
-    return interpolation_.at(trianglei, mesh_.corners[trianglei], weights);
+    const CornerIndices& c = mesh_.corners[trianglei];
+    const vector2D &a = mesh_.parameters[c[0]], &b = mesh_.parameters[c[1]],
+                   &last = mesh_.parameters[c[2]];
+    // Of second order, it reaches beyond its corners a little.
+    return withinSquare(
+        interpolation_.at(trianglei, c, weights), min(min(a, b), last),
+        max(max(a, b), last)
+    );
 }
 
 SheetParameter ParameterSheets::at(const SurfacePoint& x) const

@@ -103,7 +103,7 @@ private:
             part.inverse[c] = 1 / max(ofF + bend, leastCurvature * ofF);
             gradient[c] = ofF * (a - wanted_[t][c]);
             excess += a;
-            part.rows(2 * c, c) = 1;
+            part.rows(c + c, c) = 1;
             const scalar cotangent = std::cos(a) / sine;
             part.rows(2 * ((c + 2) % 3) + 1, c) = cotangent;
             part.rows(2 * ((c + 1) % 3) + 1, c) = -cotangent;

@@ -3,7 +3,10 @@
 #include "core/parametrization/Chart.H"
 
 #include "core/base/Errors.H"
+#include "core/parametrization/ChartDistortion.H"
+#include "core/parametrization/Remeshing.H"
 #include "shapes/ChartOverlap.H"
+#include "shapes/RaggedSurface.H"
 #include "shapes/Surfaces.H"
 #include "DynamicList.H"
 
@@ -46,6 +49,16 @@ void expectOneToOne(const PlainSurface& surface, const Chart& chart)
     EXPECT_NEAR(inChart / onSurface, 1, 1e-9);
 }
 
+PlainSurface longEllipsoid()
+{
+    PlainSurface surface = sphere(point(0, 0, 0), 1, 3);
+    for (point& p : surface.points)
+    {
+        p = point(3.7 * p.x(), 0.8 * p.y(), p.z());
+    }
+    return surface;
+}
+
 // A method that never works, or folds the chart over.
 class Useless : public Flattening
 {
@@ -73,13 +86,38 @@ private:
 
 } // namespace
 
+// The rounded corner of a box is a disk: flattened as it is it is distorted, cut to the
+// corner almost not at all.
+TEST(Chart, CutsToTheCornerOfABox)
+{
+    const boundBox box(point(-1, -1, -1), point(1, 1, 1));
+    const auto level = [](const point& p)
+    { return max(max(p.x() - .013, p.y() + .021), p.z() - .007); };
+    const PlainSurface surface =
+        remesh(marchingTetrahedra(level, box, 20), 0.05).surface;
+    ASSERT_TRUE(shapeOf(surface.points.size(), surface.triangles).isDisk());
+    const Chart chart = makeChart(surface, flatteningsFor("abf"));
+    EXPECT_EQ(chart.method, "abf");
+    expectOneToOne(surface, chart);
+    EXPECT_LT(chart.areaRatio, 2);
+    const List<vector2D> whole = Flattening::New("abf")->flatten(surface).parameters;
+    List<CornerIndices> corners(surface.triangles.size());
+    forAll(corners, i)
+    {
+        const triFace& t = surface.triangles[i];
+        corners[i] = CornerIndices{t[0], t[1], t[2]};
+    }
+    EXPECT_GT(areaRatioOf(surface, corners, whole), 6);
+}
+
 TEST(Chart, IsOneToOneForEveryTopology)
 {
     for (const char* name : {"abf", "lscm"})
     {
         for (const PlainSurface& surface :
              {sphere(point(1, 2, 3), 0.01, 3), torus(1, 0.4, 48, 24),
-              hemisphere(point(0, 0, 0), 1, 3), columns({"XXXXX", "X X X", "XXXXX"})})
+              hemisphere(point(0, 0, 0), 1, 3), columns({"XXXXX", "X X X", "XXXXX"}),
+              longEllipsoid()})
         {
             const Chart chart = makeChart(surface, flatteningsFor(name));
             EXPECT_FALSE(chart.fallback);

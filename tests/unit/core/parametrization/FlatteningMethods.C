@@ -4,7 +4,7 @@
 
 #include "core/base/Errors.H"
 #include "core/parametrization/ChartDistortion.H"
-#include "core/parametrization/DiskCut.H"
+#include "core/parametrization/seams/DiskCut.H"
 #include "shapes/ChartOverlap.H"
 #include "shapes/RaggedSurface.H"
 #include "shapes/Surfaces.H"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/parametrization/EdgePaths.H"
+#include "core/parametrization/seams/EdgePaths.H"
 
 #include "shapes/Surfaces.H"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/parametrization/EdgePaths.H"
+#include "core/parametrization/seams/EdgePaths.H"
 
 #include <functional>
 #include <queue>
@@ -30,20 +30,40 @@ Rows edgesOfPoints(label nPoints, const List<SurfaceEdge>& edges)
 
 } // namespace
 
+scalarField edgeLengths(const pointField& points, const SurfaceTopology& topology)
+{
+    const List<SurfaceEdge>& edges = topology.edges();
+    scalarField lengths(edges.size());
+    forAll(edges, edgei)
+    {
+        lengths[edgei] = mag(points[edges[edgei].b] - points[edges[edgei].a]);
+    }
+    return lengths;
+}
+
 EdgePaths::EdgePaths(
     const pointField& points, const SurfaceTopology& topology, const labelUList& sources
 )
-    : topology_(topology), distances_(points.size(), GREAT),
-      arrivals_(points.size(), -1)
+    : EdgePaths(points.size(), topology, edgeLengths(points, topology), sources)
+{
+}
+
+EdgePaths::EdgePaths(
+    label nPoints, const SurfaceTopology& topology, const scalarField& weights,
+    const labelUList& sources
+)
+    : topology_(topology), distances_(nPoints, GREAT), origins_(nPoints, -1),
+      arrivals_(nPoints, -1)
 {
     const List<SurfaceEdge>& edges = topology.edges();
-    const Rows pointEdges = edgesOfPoints(points.size(), edges);
+    const Rows pointEdges = edgesOfPoints(nPoints, edges);
 
     using Entry = std::pair<scalar, label>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
     for (const label source : sources)
     {
         distances_[source] = 0;
+        origins_[source] = source;
         queue.emplace(0, source);
     }
     while (!queue.empty())
@@ -58,10 +78,11 @@ EdgePaths::EdgePaths(
         {
             const SurfaceEdge& e = edges[edgei];
             const label other = e.a == pointi ? e.b : e.a;
-            const scalar further = distance + mag(points[other] - points[pointi]);
+            const scalar further = distance + weights[edgei];
             if (further < distances_[other])
             {
                 distances_[other] = further;
+                origins_[other] = origins_[pointi];
                 arrivals_[other] = edgei;
                 queue.emplace(further, other);
             }

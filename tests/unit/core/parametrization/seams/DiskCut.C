@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/parametrization/DiskCut.H"
+#include "core/parametrization/seams/DiskCut.H"
 
 #include "core/base/Errors.H"
 #include "shapes/RaggedSurface.H"

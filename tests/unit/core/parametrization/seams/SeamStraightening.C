@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/parametrization/SeamStraightening.H"
+#include "core/parametrization/seams/SeamStraightening.H"
 
 #include "core/surface/SurfaceLocator.H"
 #include "shapes/Surfaces.H"
