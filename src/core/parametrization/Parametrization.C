@@ -3,11 +3,10 @@
 #include "core/parametrization/Parametrization.H"
 
 #include "core/parametrization/ChartPacking.H"
+#include "core/parametrization/PackingOverRanks.H"
 #include "core/parametrization/Patches.H"
 #include "core/parametrization/RibbonChart.H"
 #include "core/ranks/ExactSum.H"
-
-#include <algorithm>
 
 namespace Foam::stability
 {
@@ -171,79 +170,6 @@ FlatPatch flattened(
     return flat;
 }
 
-// A chart as it is sent to the master, and the place that the master returns.
-struct ChartBox
-{
-    TriangleKey lowest;
-    vector2D size; // [m]
-};
-
-struct ChartPlace
-{
-    label number;
-    vector2D corner;
-};
-
-// The scales of both parameters, units per metre: one in two dimensions for the length
-// and one for the way across, else the same; zero if there is nothing to scale.
-vector2D packedBoxes(
-    const List<vector2D>& sizes, const std::optional<PlaneSection>& section,
-    List<vector2D>& corners
-)
-{
-    if (!section)
-    {
-        const BoxPacking packing(packBoxes(sizes));
-        corners = packing.corners;
-        return packing.placed ? vector2D(packing.scale, packing.scale) : vector2D(0, 0);
-    }
-    scalarField lengths(sizes.size());
-    forAll(sizes, i)
-    {
-        lengths[i] = sizes[i].x();
-    }
-    const RowPacking packing(packRows(lengths));
-    corners = packing.corners;
-    return vector2D(packing.scale, packing.height / section->thickness);
-}
-
-// Places the charts of all ranks, on the master; returns their common scales.
-vector2D placeAll(
-    const std::vector<List<ChartBox>>& boxes,
-    const std::optional<PlaneSection>& section,
-    std::vector<DynamicList<ChartPlace>>& places
-)
-{
-    std::vector<labelPair> order; // the rank, the chart there
-    for (std::size_t ranki = 0; ranki < boxes.size(); ++ranki)
-    {
-        forAll(boxes[ranki], i)
-        {
-            order.push_back(labelPair(ranki, i));
-        }
-        places[ranki].setSize(boxes[ranki].size());
-    }
-    const auto boxAt = [&](const labelPair& at) -> const ChartBox&
-    { return boxes[at.first()][at.second()]; };
-    std::stable_sort(
-        order.begin(), order.end(),
-        [&](const labelPair& a, const labelPair& b)
-        { return boxAt(a).lowest < boxAt(b).lowest; }
-    );
-    List<vector2D> sizes(order.size());
-    forAll(sizes, i)
-    {
-        sizes[i] = boxAt(order[i]).size;
-    }
-    List<vector2D> corners;
-    const vector2D scales = packedBoxes(sizes, section, corners);
-    forAll(sizes, i)
-    {
-        places[order[i].first()][order[i].second()] = {i, corners[i]};
-    }
-    return scales;
-}
-
 // Moves the charts to their places among those of all ranks. Returns the scale of the
 // first parameter, 0 if there is nothing to scale.
 scalar packFlats(
@@ -251,34 +177,19 @@ scalar packFlats(
     const std::optional<PlaneSection>& section, const Exchange& exchange
 )
 {
-    DynamicList<ChartBox> mine;
+    List<PackedChart> charts(flats.size());
     forAll(flats, i)
     {
-        mine.append(ChartBox{
-            interface.keys[patches[i].lowestTriangle], boxSize(flats[i].parameters)});
+        charts[i].lowest = interface.keys[patches[i].lowestTriangle];
+        charts[i].parameters.swap(flats[i].parameters);
     }
-    const std::vector<List<ChartBox>> boxes(exchange.listsToMaster(mine));
-    std::vector<DynamicList<ChartPlace>> places(exchange.nRanks());
-    Packet packet;
-    runOnAllRanks(
-        exchange,
-        [&] {
-            packet.put(
-                exchange.isMaster() ? placeAll(boxes, section, places) : vector2D(0, 0)
-            );
-        }
-    );
-    const List<ChartPlace> here(exchange.exchangeLists(places)[0]);
-    const vector2D scales = exchange.fromMaster(packet).get<vector2D>();
+    const scalar scale = packOverRanks(charts, section, exchange);
     forAll(flats, i)
     {
-        flats[i].number = here[i].number;
-        if (scales.x() > 0)
-        {
-            flats[i].parameters = moved(flats[i].parameters, here[i].corner, scales);
-        }
+        flats[i].number = charts[i].number;
+        flats[i].parameters.swap(charts[i].parameters);
     }
-    return scales.x();
+    return scale;
 }
 
 std::vector<ChartReport>

@@ -3,6 +3,7 @@
 #include "core/parametrization/SmallestBox.H"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace Foam::stability
@@ -39,6 +40,15 @@ std::vector<vector2D> convexHull(const List<vector2D>& chart)
     return hull;
 }
 
+// Turns what lies along `along` into the first coordinate.
+void turn(List<vector2D>& chart, const vector2D& along)
+{
+    for (vector2D& p : chart)
+    {
+        p = vector2D(along & p, along.perp(p));
+    }
+}
+
 } // namespace
 
 void turnIntoSmallestBox(List<vector2D>& chart)
@@ -68,10 +78,34 @@ void turnIntoSmallestBox(List<vector2D>& chart)
             along = d;
         }
     }
-    for (vector2D& p : chart)
+    turn(chart, along);
+}
+
+void turnIntoSmallestSquare(List<vector2D>& chart)
+{
+    const std::vector<vector2D> hull = convexHull(chart);
+    constexpr label nAngles = 360; // over a right angle
+    scalar shortest = VGREAT;
+    vector2D along(1, 0);
+    for (label i = 0; i < nAngles; ++i)
     {
-        p = vector2D(along & p, along.perp(p));
+        const scalar angle = 0.5 * M_PI * i / nAngles;
+        const vector2D d(std::cos(angle), std::sin(angle));
+        vector2D low(VGREAT, VGREAT), high(-VGREAT, -VGREAT);
+        for (const vector2D& p : hull)
+        {
+            const vector2D turned(d & p, d.perp(p));
+            low = min(low, turned);
+            high = max(high, turned);
+        }
+        const scalar side = std::max(high.x() - low.x(), high.y() - low.y());
+        if (side < shortest)
+        {
+            shortest = side;
+            along = d;
+        }
     }
+    turn(chart, along);
 }
 
 } // namespace Foam::stability

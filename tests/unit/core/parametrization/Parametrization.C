@@ -228,6 +228,19 @@ TEST(Parametrization, TakesTheMethodAsked)
     EXPECT_THROW(parametrize(raggedScene(), options), BadInput);
 }
 
+// A strip lies along the diagonal, where the square is longest.
+TEST(Parametrization, OneChartMakesTheMostOfTheSquare)
+{
+    const PlainSurface strip =
+        grid([](scalar u, scalar v) { return point(5 * u, v, 0.3); }, 50, 10);
+    const ParametrizationResult result =
+        parametrize(asInterface(strip, 0.2), ParametrizationOptions());
+    expectInjective(result);
+    EXPECT_NEAR(result.scale, 0.99 * std::sqrt(2.0) / 6, 0.01);
+    ASSERT_EQ(result.charts.size(), 1u);
+    EXPECT_NEAR(result.charts[0].fill, 5 * sqr(result.scale), 1e-6);
+}
+
 TEST(Parametrization, OfNothingIsNothing)
 {
     const ParametrizationResult result =

@@ -57,6 +57,27 @@ TEST(SmallestBox, IsThatOfATurnedRectangle)
     }
 }
 
+// A long rectangle fits along the diagonal: of a x b the square has (a + b) / sqrt(2).
+TEST(SmallestBox, SquareTakesTheDiagonal)
+{
+    for (const scalar angle : {0.0, 0.3, 1.2})
+    {
+        List<vector2D> points;
+        for (const vector2D& p :
+             {vector2D(0, 0), vector2D(7, 0), vector2D(7, 1), vector2D(0, 1)})
+        {
+            points.append(vector2D(
+                p.x() * std::cos(angle) - p.y() * std::sin(angle) + 3,
+                p.x() * std::sin(angle) + p.y() * std::cos(angle)
+            ));
+        }
+        turnIntoSmallestSquare(points);
+        const vector2D size = sizeOfBox(points);
+        EXPECT_NEAR(max(size.x(), size.y()), 8 / std::sqrt(2.0), 0.03);
+        EXPECT_NEAR((points[1] - points[0]).perp(points[3] - points[0]), 7, 1e-12);
+    }
+}
+
 TEST(SmallestBox, OfOnePointIsLegal)
 {
     List<vector2D> points(1, vector2D(3, 4));
