@@ -18,6 +18,7 @@
 #include "vtk/NoFloatingPointTraps.H"
 #include "vtk/PolyDataCheck.H"
 #include "vtk/SurfaceReader.H"
+#include "vtk/Trial.H"
 
 #include <stdexcept>
 
@@ -26,6 +27,8 @@ namespace Foam::stability
 
 namespace
 {
+
+constexpr unsigned secondsForSurface = 600;
 
 [[noreturn]] void fail(const std::string& path, const std::string& cause)
 {
@@ -77,6 +80,16 @@ readWith(const vtkNew<Reader>& reader, const std::string& path)
 {
     KeptMessages messages;
     reader->SetFileName(path.c_str());
+    // VTK's readers trust the sizes that a file tells.
+    const auto ends = [&]
+    {
+        reader->Update();
+        return isSound(*reader->GetOutput()) || true;
+    };
+    if (!succeedsInChild(ends, secondsForSurface))
+    {
+        fail(path, "it is damaged");
+    }
     reader->Update();
     std::string cause = messages.firstError();
     if (cause.empty() && reader->GetErrorCode() != vtkErrorCode::NoError)

@@ -7,6 +7,8 @@
 #include "fvMesh.H"
 #include "processorPolyPatch.H"
 
+#include <cmath>
+
 namespace Foam::stability
 {
 
@@ -83,6 +85,20 @@ void refuseOpenCells(const fvMesh& mesh)
 }
 
 } // namespace
+
+void checkTimes(const instantList& times)
+{
+    for (const instant& time : times)
+    {
+        if (!std::isfinite(time.value()))
+        {
+            throw BadInput(
+                "The case has a folder " + time.name()
+                + ", whose name OpenFOAM takes for a time: rename or remove it."
+            );
+        }
+    }
+}
 
 void checkCase(const fvMesh& mesh, const Exchange& exchange)
 {

@@ -5,6 +5,7 @@
 #include "foam/entries/EntryChoices.H"
 #include "foam/entries/EntryReaders.H"
 #include "foam/entries/ReconstructionControls.H"
+#include "foam/errors/IncludeLimit.H"
 #include "IOdictionary.H"
 #include "OSspecific.H"
 
@@ -128,6 +129,7 @@ findControlsDict(const Time& runTime, const fileName& option, const word& region
              << ": every entry has its default." << nl << endl;
         return dictionary();
     }
+    const IncludeLimit limit;
     return IOdictionary(io);
 }
 

@@ -50,6 +50,7 @@ case.
 #include "argList.H"
 #include "core/base/Version.H"
 #include "foam/AnalysisSession.H"
+#include "foam/case/CaseChecks.H"
 #include "foam/entries/EntryHelp.H"
 #include "foam/entries/EntryReaders.H"
 #include "foam/entries/Methods.H"
@@ -59,8 +60,6 @@ case.
 #include "functionObject.H"
 #include "fvMesh.H"
 #include "timeSelector.H"
-
-#include <optional>
 
 using namespace Foam;
 
@@ -86,40 +85,76 @@ fileName analyse(
     const word name(
         method.name.empty() ? folderName : word(folderName + '_' + method.name)
     );
-    std::optional<stability::AnalysisSession> session;
-    instantList times;
     fileName results;
-    stability::exitOnFailure(
-        [&]
-        {
-            session.emplace(
-                mesh, method.controls, resultFolder(mesh, name),
-                stability::FieldSource::disk
-            );
-            times = session->select(selected);
-        }
+    stability::AnalysisSession session(
+        mesh, method.controls, resultFolder(mesh, name), stability::FieldSource::disk
     );
+    const instantList times(session.select(selected));
     forAll(times, timei)
     {
         runTime.setTime(times[timei], timei);
         const polyMesh::readUpdateState state = mesh.readUpdate();
         if (state != polyMesh::UNCHANGED)
         {
-            session->meshChanged(state != polyMesh::POINTS_MOVED);
+            session.meshChanged(state != polyMesh::POINTS_MOVED);
         }
-        results = timei == 0 ? session->resultPath() : results;
-        stability::exitOnFailure(
-            [&]
-            {
-                session->advance();
-                session->classify();
-                session->writeFiles();
-            }
-        );
-        score.add(session->statistics());
+        results = timei == 0 ? session.resultPath() : results;
+        session.advance();
+        session.classify();
+        session.writeFiles();
+        score.add(session.statistics());
     }
-    stability::exitOnFailure([&] { session->complete(); });
+    session.complete();
     return results.path().path() / folderName / results.name();
+}
+
+// All methods of the dictionary over the selected times.
+void analyseAll(const argList& args)
+{
+#include "createTime.H"
+
+    stability::checkTimes(runTime.times());
+    const instantList times(
+        timeSelector::select(runTime.times(), args, runTime.constant())
+    );
+    if (!times.empty())
+    {
+        runTime.setTime(times.first(), 0);
+    }
+
+    const dictionary dict(stability::findControlsDict(
+        runTime, args.get<fileName>("dict", ""), args.get<word>("region", "")
+    ));
+    const std::vector<stability::Method> methods(stability::readMethods(dict));
+    const word region(args.get<word>("region", stability::readName(dict, "region")));
+    fvMesh mesh(IOobject(region, runTime.timeName(), runTime, IOobject::MUST_READ));
+
+    stability::MethodComparison comparison;
+    fileName comparisonPath;
+    for (std::size_t i = 0; i < methods.size(); ++i)
+    {
+        const stability::Method& method = methods[i];
+        if (!method.name.empty())
+        {
+            Info << "interfaceStability: method " << i + 1 << " of " << methods.size()
+                 << ", " << method.name << nl << endl;
+        }
+        stability::MethodScore score(method.name);
+        comparisonPath = analyse(runTime, mesh, times, method, score);
+        comparison.add(score);
+    }
+    if (methods.size() > 1)
+    {
+        const fileName table(comparisonPath / stability::methodTable().file);
+        if (Pstream::master())
+        {
+            comparison.write(comparisonPath);
+        }
+        Info << comparison.verdict().c_str() << nl << "The numbers are in "
+             << runTime.relativePath(table)
+             << "; interfaceStabilityView -batch -methods with this file draws them."
+             << nl << endl;
+    }
 }
 
 } // namespace
@@ -154,57 +189,7 @@ int main(int argc, char* argv[])
     {
         FatalError.exit();
     }
-#include "createTime.H"
-
-    const instantList times(
-        timeSelector::select(runTime.times(), args, runTime.constant())
-    );
-    if (!times.empty())
-    {
-        runTime.setTime(times.first(), 0);
-    }
-
-    std::vector<stability::Method> methods;
-    word region;
-    stability::exitOnFailure(
-        [&]
-        {
-            const dictionary dict(stability::findControlsDict(
-                runTime, args.get<fileName>("dict", ""), args.get<word>("region", "")
-            ));
-            methods = stability::readMethods(dict);
-            region = args.get<word>("region", stability::readName(dict, "region"));
-        }
-    );
-    fvMesh mesh(IOobject(region, runTime.timeName(), runTime, IOobject::MUST_READ));
-
-    stability::MethodComparison comparison;
-    fileName comparisonPath;
-    for (std::size_t i = 0; i < methods.size(); ++i)
-    {
-        const stability::Method& method = methods[i];
-        if (!method.name.empty())
-        {
-            Info << "interfaceStability: method " << i + 1 << " of " << methods.size()
-                 << ", " << method.name << nl << endl;
-        }
-        stability::MethodScore score(method.name);
-        comparisonPath = analyse(runTime, mesh, times, method, score);
-        comparison.add(score);
-    }
-    if (methods.size() > 1)
-    {
-        const fileName table(comparisonPath / stability::methodTable().file);
-        if (Pstream::master())
-        {
-            stability::exitOnFailure([&] { comparison.write(comparisonPath); });
-        }
-        Info << comparison.verdict().c_str() << nl << "The numbers are in "
-             << runTime.relativePath(table)
-             << "; interfaceStabilityView -batch -methods with this file draws them."
-             << nl << endl;
-    }
-
+    stability::exitOnFailure([&] { analyseAll(args); });
     Info << "End\n" << endl;
     return 0;
 }

@@ -4,9 +4,9 @@
 
 #include "Colours.H"
 #include "Messages.H"
-#include "Trial.H"
 
 #include "vtk/PolyDataCheck.H"
+#include "vtk/Trial.H"
 
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
@@ -36,6 +36,7 @@ namespace
 {
 
 constexpr unsigned secondsForTexture = 60;
+constexpr unsigned secondsForSurface = 600;
 
 void checkReadable(const std::filesystem::path& path)
 {
@@ -105,12 +106,19 @@ vtkSmartPointer<vtkPolyData> readSurface(const std::filesystem::path& path)
     const bool pieces = path.extension() == ".pvtp";
     const auto reader =
         pieces ? readerOf<vtkXMLPPolyDataReader>() : readerOf<vtkXMLPolyDataReader>();
-    reader->SetFileName(path.c_str());
-    reader->Update();
-    auto* surface = vtkPolyData::SafeDownCast(reader->GetOutputDataObject(0));
-    const bool complete =
-        reader->GetErrorCode() == 0 && surface && surface->GetPoints();
-    checkRead(path, complete && isSound(*surface));
+    const auto read = [&]() -> vtkPolyData*
+    {
+        reader->SetFileName(path.c_str());
+        reader->Update();
+        auto* surface = vtkPolyData::SafeDownCast(reader->GetOutputDataObject(0));
+        const bool complete =
+            reader->GetErrorCode() == 0 && surface && surface->GetPoints();
+        return complete && isSound(*surface) ? surface : nullptr;
+    };
+    // VTK's reader trusts the sizes that a file tells.
+    const auto ends = [&] { return read() || true; };
+    vtkPolyData* surface = succeedsInChild(ends, secondsForSurface) ? read() : nullptr;
+    checkRead(path, surface);
     return surface;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "Trial.H"
+#include "vtk/Trial.H"
 
 #include <cerrno>
 
