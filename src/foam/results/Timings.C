@@ -26,7 +26,7 @@ const TableLayout<TimingRow>& timingTable()
         "timing.dat",
         "Seconds of wall-clock time, by phase, since the last classified time",
         {
-            {"time", "s", "the classified time", &TimingRow::time},
+            {"Time", "s", "the classified time", &TimingRow::time},
             phaseColumn(Phase::reading, "fields from disk or solver", &T::reading),
             phaseColumn(
                 Phase::reconstruction, "M and its noise floor", &T::reconstruction
