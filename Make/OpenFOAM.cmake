@@ -3,6 +3,8 @@
 # What the parts built by CMake need of the loaded OpenFOAM: the target OpenFOAM (its
 # base headers and library, with wmake's definitions) and our own warnings.
 
+include_guard()
+
 foreach(name WM_PROJECT_DIR FOAM_LIBBIN FOAM_USER_LIBBIN FOAM_USER_APPBIN)
     if("$ENV{${name}}" STREQUAL "")
         message(FATAL_ERROR "${name} is not set: source OpenFOAM's etc/bashrc first.")
