@@ -121,6 +121,9 @@ def solved(case, fields):
 
 def faults(trial, status, log, case, base):
     """All that is wrong, in words."""
+    if trial.program == "interFoam" and "Create mesh" not in log:
+        # The solver's own reading of controlDict, before it loads any library of ours.
+        return list(results(1, case, base.earlier))
     viewing = trial.program == "interfaceStabilityView"
     found = list(ending(status, log, "interfaceStabilityView: " if viewing else ""))
     code = -1 if status & 0x7F else status >> 8
