@@ -28,8 +28,6 @@ namespace Foam::stability
 namespace
 {
 
-constexpr unsigned secondsForSurface = 600;
-
 [[noreturn]] void fail(const std::string& path, const std::string& cause)
 {
     throw std::runtime_error("Cannot read the surface " + path + ": " + cause + ".");
@@ -86,7 +84,7 @@ readWith(const vtkNew<Reader>& reader, const std::string& path)
         reader->Update();
         return isSound(*reader->GetOutput()) || true;
     };
-    if (!succeedsInChild(ends, secondsForSurface))
+    if (!succeedsInChild(ends, secondsToRead(path)))
     {
         fail(path, "it is damaged");
     }

@@ -3,6 +3,7 @@
 #include "vtk/Trial.H"
 
 #include <cerrno>
+#include <cstdint>
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -50,6 +51,27 @@ bool succeedsInChild(const std::function<bool()>& work, unsigned seconds)
     {
     }
     return child > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+unsigned secondsToRead(const std::filesystem::path& path)
+{
+    namespace fs = std::filesystem;
+    constexpr std::uintmax_t least = 10;        // [s]
+    constexpr std::uintmax_t slowest = 1000000; // [bytes/s]
+    const auto sizeOf = [](const fs::path& file)
+    {
+        std::error_code error;
+        const std::uintmax_t size = fs::file_size(file, error);
+        return error ? 0 : size;
+    };
+    std::uintmax_t size = sizeOf(path);
+    std::error_code none;
+    fs::path pieces = path;
+    for (const auto& piece : fs::directory_iterator(pieces.replace_extension(), none))
+    {
+        size += sizeOf(piece.path());
+    }
+    return unsigned(least + size / slowest);
 }
 
 } // namespace Foam::stability

@@ -35,9 +35,6 @@ namespace Foam::stability
 namespace
 {
 
-constexpr unsigned secondsForTexture = 60;
-constexpr unsigned secondsForSurface = 600;
-
 void checkReadable(const std::filesystem::path& path)
 {
     std::error_code ignored;
@@ -117,7 +114,8 @@ vtkSmartPointer<vtkPolyData> readSurface(const std::filesystem::path& path)
     };
     // VTK's reader trusts the sizes that a file tells.
     const auto ends = [&] { return read() || true; };
-    vtkPolyData* surface = succeedsInChild(ends, secondsForSurface) ? read() : nullptr;
+    vtkPolyData* surface =
+        succeedsInChild(ends, secondsToRead(path)) ? read() : nullptr;
     checkRead(path, surface);
     return surface;
 }
@@ -134,7 +132,7 @@ vtkSmartPointer<vtkTexture> readTexture(const std::filesystem::path& path)
     };
     // A damaged file makes VTK's reader jump to where it was before.
     const bool isPng =
-        reader->CanReadFile(path.c_str()) && succeedsInChild(read, secondsForTexture);
+        reader->CanReadFile(path.c_str()) && succeedsInChild(read, secondsToRead(path));
     checkRead(path, isPng && read());
     auto texture = vtkSmartPointer<vtkTexture>::New();
     texture->SetInputData(reader->GetOutput());
