@@ -155,7 +155,7 @@ def main():
     parser.add_argument("-seed", default="1")
     parser.add_argument("-only", type=int)
     parser.add_argument("-from", type=int, default=0, dest="first")
-    parser.add_argument("-seconds", type=int, default=20)
+    parser.add_argument("-seconds", type=int, default=60)
     parser.add_argument("-sanitized")
     options = parser.parse_args()
     options.folder = options.folder.resolve()
