@@ -145,6 +145,10 @@ void AnalysisSession::takeStep()
             + mesh_.time().timeName() + ":'."
         );
     }
+    if (times_.empty() && snapshots_->passesOver())
+    {
+        return;
+    }
     if (!tracker_.started())
     {
         auto snapshot = takeSnapshot();

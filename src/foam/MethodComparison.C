@@ -2,14 +2,39 @@
 
 #include "foam/MethodComparison.H"
 
+#include "core/base/Errors.H"
 #include "core/base/FileOperations.H"
 #include "foam/results/ResultTable.H"
 
+#include <fstream>
 #include <iomanip>
 #include <sstream>
 
 namespace Foam::stability
 {
+
+void MethodComparison::prepare(const fileName& folder, const Exchange& exchange)
+{
+    runOnMaster(
+        exchange,
+        [&]
+        {
+            makeFolders(folder);
+            const fileName file(folder / methodTable().file);
+            std::string firstLine;
+            std::ifstream table(file);
+            std::getline(table, firstLine);
+            if (isThere(file) && firstLine.rfind("# interfaceStability", 0) != 0)
+            {
+                throw BadInput(
+                    "The file " + file
+                    + " is in the way of results, and interfaceStability did not write "
+                      "it: move it away."
+                );
+            }
+        }
+    );
+}
 
 void MethodComparison::write(const fileName& folder) const
 {
@@ -19,7 +44,6 @@ void MethodComparison::write(const fileName& folder) const
     {
         table.addRow(score);
     }
-    makeFolders(folder);
     table.write(folder);
 }
 

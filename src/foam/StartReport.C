@@ -106,13 +106,14 @@ wordList longestGap(const instantList& times)
         lengths[i] = times[i + 1].value() - times[i].value();
         longest = lengths[i] > lengths[longest] ? i : longest;
     }
-    if (n < 3)
+    if (n < 2)
     {
         return wordList();
     }
+    const label middle = (n - 1) / 2; // of two the shorter
     const scalar length = lengths[longest];
-    std::nth_element(lengths.begin(), lengths.begin() + n / 2, lengths.end());
-    return length > muchLonger * lengths[n / 2]
+    std::nth_element(lengths.begin(), lengths.begin() + middle, lengths.end());
+    return length > muchLonger * lengths[middle]
                ? wordList{times[longest].name(), times[longest + 1].name()}
                : wordList();
 }

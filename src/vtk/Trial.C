@@ -16,7 +16,7 @@ namespace Foam::stability
 namespace
 {
 
-// In the child: no output, no core file, no end of this program's own kind.
+// In the child: no output, no core file, and no handler of this program for its crash.
 [[noreturn]] void becomeTrial(const std::function<bool()>& work, unsigned seconds)
 {
     const int nowhere = ::open("/dev/null", O_RDWR);

@@ -18,7 +18,15 @@ import numpy as np
 
 from results import Surface, Verdict
 
-TABLES = ("stability.dat", "survival.dat", "droplets.dat", "timing.dat", "methods.dat")
+TABLES = (
+    "stability.dat",
+    "survival.dat",
+    "droplets.dat",
+    "charts.dat",
+    "timing.dat",
+    "methods.dat",
+)
+TEXTS = {"methods.dat": ("method",), "charts.dat": ("method", "cause")}  # columns of words
 
 
 def is_number(word):
@@ -107,7 +115,7 @@ def main():
         title = f"{folder}/{time}/{path.name}"
         if path.suffix == ".dat":
             seen.add(path.name)
-            check_table(verdict, title, path, ("method",) if path.name == "methods.dat" else ())
+            check_table(verdict, title, path, TEXTS.get(path.name, ()))
         elif path.suffix == ".series":
             nSeries += 1
             check_series(verdict, title, path)

@@ -4,6 +4,8 @@
 
 #include "core/base/Errors.H"
 #include "IOdictionary.H"
+#include "OSspecific.H"
+#include "fileOperation.H"
 #include "fvMesh.H"
 #include "processorPolyPatch.H"
 
@@ -98,6 +100,63 @@ void checkTimes(const instantList& times)
             );
         }
     }
+}
+
+std::string decomposedWayOut(const Time& runTime)
+{
+    const label nParts = UPstream::parRun() ? 0 : fileHandler().nProcs(runTime.path());
+    if (nParts == 0)
+    {
+        return "";
+    }
+    const std::string n = std::to_string(nParts);
+    return "the case is decomposed into " + n + " parts; run 'mpirun -np " + n
+           + " interfaceStability -parallel', or reconstructPar first.";
+}
+
+void checkMeshFiles(const Time& runTime, const word& region)
+{
+    const word inRegion = region == polyMesh::defaultRegion ? word() : region;
+    const fileName local(inRegion / polyMesh::meshSubDir);
+    const std::string out = decomposedWayOut(runTime);
+    if (!out.empty()
+        && runTime.findInstance(local, "faces", IOobject::READ_IF_PRESENT)
+               == runTime.constant()
+        && !isFile(runTime.path() / runTime.constant() / local / "faces"))
+    {
+        throw BadInput(
+            "There is no mesh in " + runTime.constant() / local + ": " + out
+        );
+    }
+}
+
+void checkMeshTimes(const polyMesh& mesh, const Exchange& exchange)
+{
+    std::string here;
+    runOnAllRanks(
+        exchange,
+        [&]
+        {
+            for (const char* file : {"points", "faces"})
+            {
+                here += mesh.time().findInstance(
+                            mesh.meshDir(), file, IOobject::READ_IF_PRESENT
+                        )
+                        + ' ';
+            }
+        }
+    );
+    Packet packet;
+    packet.putString(here);
+    const std::string masters = exchange.fromMaster(packet).getString();
+    exchange.throwIfAny<BadInput>(
+        here == masters ? ""
+                        : "At time " + mesh.time().timeName()
+                              + " the ranks have points and faces of the mesh of "
+                                "different times: "
+                              + masters + "and " + here
+                              + "; allowed are the same ones on all ranks."
+    );
 }
 
 void checkCase(const fvMesh& mesh, const Exchange& exchange)

@@ -3,6 +3,7 @@
 #include "foam/case/CaseFields.H"
 
 #include "core/base/Errors.H"
+#include "foam/case/CaseChecks.H"
 #include "IOdictionary.H"
 #include "IOobjectList.H"
 #include "Time.H"
@@ -97,15 +98,16 @@ wordList alphasOf(const wordList& names)
     return wordList(std::move(alphas));
 }
 
-// Releases before 2.3 called them alpha1 and alphawater.
+// Releases before 2.3 called them alpha1 and alphawater. alphat is a diffusivity, and
+// alphas the sum over several phases.
 wordList oldAlphasOf(const wordList& names)
 {
     DynamicList<word> alphas;
     for (const word& name : names)
     {
         if (name.size() > 5 && name.compare(0, 5, "alpha") == 0
-            && std::isalnum(static_cast<unsigned char>(name[5]))
-            && !endsWith(name, "_0") && !endsWith(name, "Mean"))
+            && std::isalnum(static_cast<unsigned char>(name[5])) && name != "alphat"
+            && name != "alphas" && !endsWith(name, "_0") && !endsWith(name, "Mean"))
         {
             alphas.append(name);
         }
@@ -113,16 +115,66 @@ wordList oldAlphasOf(const wordList& names)
     return wordList(std::move(alphas));
 }
 
-[[noreturn]] void refuseWithoutAlpha(const wordList& names, const std::string& time)
+[[noreturn]] void refuseWithoutAlpha(const wordList& names, const Time& runTime)
 {
     const wordList old(oldAlphasOf(names));
+    const std::string decomposed = decomposedWayOut(runTime);
     throw BadInput(
-        "No volume fraction: there is no scalar field alpha.* at " + time
-        + ", no 'phases' in transportProperties, and no entry 'alpha'."
-        + (old.empty() ? ""
-                       : " There is " + listed(old) + ": say 'alpha " + old.first()
-                             + ";' in system/interfaceStabilityDict.")
+        "No volume fraction: there is no scalar field alpha.* at time "
+        + runTime.timeName()
+        + ", no 'phases' in transportProperties, phaseProperties or "
+          "thermophysicalProperties, and no entry 'alpha'."
+        + (!old.empty() ? " There is " + listed(old) + ": say 'alpha " + old.first()
+                              + ";' in the dictionary."
+           : !decomposed.empty() ? " Perhaps " + decomposed
+                                 : "")
     );
+}
+
+// The times from the present one on.
+instantList laterTimes(const Time& runTime)
+{
+    DynamicList<instant> times;
+    times.append(instant(runTime.value(), runTime.timeName()));
+    for (const instant& time : runTime.times())
+    {
+        if (time.name() != runTime.constant() && time.value() > runTime.value())
+        {
+            times.append(time);
+        }
+    }
+    return instantList(std::move(times));
+}
+
+// True where one of the times from the present one on has the field.
+bool hasField(const fvMesh& mesh, FieldSource fields, const word& name)
+{
+    const FieldReader<volScalarField> field(mesh, name, fields);
+    for (const instant& time : laterTimes(mesh.time()))
+    {
+        if (!field.absentAt(time.name()))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+// The volume fraction of the first of the declared phases; of the second where only
+// that has a field.
+word declaredAlpha(
+    const fvMesh& mesh, FieldSource fields, const wordList& phases, const word& file,
+    std::string& source
+)
+{
+    const word first(IOobject::groupName("alpha", phases.first()));
+    const word last(IOobject::groupName("alpha", phases.last()));
+    const bool takeLast =
+        !hasField(mesh, fields, first) && hasField(mesh, fields, last);
+    source = takeLast
+                 ? "the second of the phases in " + file + ", as there is no " + first
+                 : "the first of the phases in " + file;
+    return takeLast ? last : first;
 }
 
 word findAlpha(const fvMesh& mesh, FieldSource fields, std::string& source)
@@ -139,8 +191,7 @@ word findAlpha(const fvMesh& mesh, FieldSource fields, std::string& source)
     }
     if (!phases.empty())
     {
-        source = "the first of the phases in " + file;
-        return IOobject::groupName("alpha", phases.first());
+        return declaredAlpha(mesh, fields, phases, file, source);
     }
 
     const Time& runTime = mesh.time();
@@ -148,9 +199,9 @@ word findAlpha(const fvMesh& mesh, FieldSource fields, std::string& source)
     word found(runTime.timeName());
     wordList alphas(alphasOf(names));
     // The first times of a case may have no fields yet.
-    for (const instant& later : runTime.times())
+    for (const instant& later : laterTimes(runTime))
     {
-        if (alphas.empty() && later.value() > runTime.value())
+        if (alphas.empty())
         {
             alphas = alphasOf(scalarFields(mesh, fields, later.name()));
             found = later.name();
@@ -158,7 +209,7 @@ word findAlpha(const fvMesh& mesh, FieldSource fields, std::string& source)
     }
     if (alphas.empty())
     {
-        refuseWithoutAlpha(names, "time " + runTime.timeName());
+        refuseWithoutAlpha(names, runTime);
     }
     if (alphas.size() > 1)
     {

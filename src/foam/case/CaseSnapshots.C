@@ -4,8 +4,8 @@
 
 #include "core/base/Errors.H"
 #include "core/ranks/Exchange.H"
+#include "foam/case/CaseChecks.H"
 #include "OSspecific.H"
-#include "fileOperation.H"
 #include "fvMesh.H"
 
 #include <sstream>
@@ -94,14 +94,12 @@ std::vector<wordList> fromAllRanks(const wordList& names, const Exchange& exchan
 // How a case comes to have two times.
 std::string wayOut(const Time& runTime)
 {
-    const fileName path(runTime.path());
-    const label nParts = UPstream::parRun() ? 0 : fileHandler().nProcs(path);
-    if (nParts > 0)
+    const std::string decomposed = decomposedWayOut(runTime);
+    if (!decomposed.empty())
     {
-        const std::string n = std::to_string(nParts);
-        return "the case is decomposed into " + n + " parts; run 'mpirun -np " + n
-               + " interfaceStability -parallel', or reconstructPar first.";
+        return decomposed;
     }
+    const fileName path(runTime.path());
     if (isDir(path / "0.orig") && !isDir(path / "0"))
     {
         return "there is 0.orig, but no 0; copy it (restore0Dir) and run the solver "
@@ -246,7 +244,26 @@ void CaseSnapshots::chooseVelocity()
             }
         }
     }
-    flux_.choose(instantList(times));
+    flux_.choose(times.empty() ? instantList() : complete(instantList(times)));
+}
+
+bool CaseSnapshots::passesOver()
+{
+    if (fields_.inMemory())
+    {
+        return false;
+    }
+    const word& now = mesh_.time().timeName();
+    bool absent = false;
+    runOnAllRanks(messages_, [&] { absent = fields_.absentAt(now); });
+    absent = messages_.total(absent) > 0;
+    if (absent && nTaken_ == 0)
+    {
+        // Those of later times are told at the first time that is taken.
+        Info << "interfaceStability: time " << now << " is passed over: it has no "
+             << fields_.alphaName() << " or no " << fields_.UName() << nl << endl;
+    }
+    return absent;
 }
 
 std::shared_ptr<const FlowSnapshot> CaseSnapshots::take()
@@ -287,8 +304,8 @@ std::shared_ptr<FlowSnapshot> CaseSnapshots::takeFields()
             {
                 throw BadInput(missing);
             }
-            alpha.emplace(fields_.alpha());
-            U.emplace(fields_.U());
+            alpha.emplace(fields_.alpha(messages_));
+            U.emplace(fields_.U(messages_));
         }
     );
     if (!flux_.chosen())

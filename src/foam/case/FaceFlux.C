@@ -43,16 +43,15 @@ FaceFlux::FaceFlux(
 {
 }
 
-// Why this rank has no fluxes to take the flow from; empty where it has.
-std::string FaceFlux::shortcomingHere(const instantList& times) const
+// Why this rank has no fluxes to take the flow from; empty where it has. `last` is the
+// last time that has them on disk.
+std::string FaceFlux::shortcomingHere(const instantList& times, word& last) const
 {
-    const word present = mesh_.time().timeName();
     if (times.empty())
     {
-        return phi_.inMemory() ? wrongDimensions(phi_.get()(), present)
+        return phi_.inMemory() ? ""
                                : "The solver has no surfaceScalarField " + name() + ".";
     }
-    word last;
     for (const instant& time : times)
     {
         if (time.name() == firstTime_ && !firstOnDisk_)
@@ -66,8 +65,7 @@ std::string FaceFlux::shortcomingHere(const instantList& times) const
         }
         last = time.name();
     }
-    return last.empty() ? phi_.complaint(firstTime_)
-                        : wrongDimensions(phi_.read(last)(), last);
+    return last.empty() ? phi_.complaint(firstTime_) : "";
 }
 
 // Sets, too, whether the first time has fluxes.
@@ -77,7 +75,22 @@ std::string FaceFlux::shortcoming(const instantList& times)
     runOnAllRanks(exchange_, [&] { absent = !phi_.onDisk(firstTime_); });
     firstOnDisk_ = exchange_.total(absent) == 0;
     std::string here;
-    runOnAllRanks(exchange_, [&] { here = shortcomingHere(times); });
+    word last;
+    runOnAllRanks(exchange_, [&] { here = shortcomingHere(times, last); });
+    const std::string first = exchange_.firstNonEmpty(here);
+    if (!first.empty())
+    {
+        return first;
+    }
+    runOnAllRanks(
+        exchange_,
+        [&]
+        {
+            here = times.empty()
+                       ? wrongDimensions(phi_.get(exchange_)(), mesh_.time().timeName())
+                       : wrongDimensions(phi_.read(last, exchange_)(), last);
+        }
+    );
     return exchange_.firstNonEmpty(here);
 }
 
@@ -113,8 +126,8 @@ void FaceFlux::choose(const instantList& times)
     }
 }
 
-// Not so at its start, when the fluxes in its memory are made of U and those on disk,
-// if any, are the ones that moved the volume fraction.
+// At its start a solver has fluxes made of U; those on disk, if any, moved the volume
+// fraction.
 bool FaceFlux::solverHasStepped() const
 {
     const Time& time = mesh_.time();
@@ -133,7 +146,9 @@ bool FaceFlux::applies() const
 tmp<surfaceScalarField> FaceFlux::read() const
 {
     const word present = mesh_.time().timeName();
-    tmp<surfaceScalarField> phi(solverHasStepped() ? phi_.get() : phi_.read(present));
+    tmp<surfaceScalarField> phi(
+        solverHasStepped() ? phi_.get(exchange_) : phi_.read(present, exchange_)
+    );
     const std::string failure = wrongDimensions(phi(), present);
     if (!failure.empty())
     {

@@ -139,18 +139,22 @@ std::string FieldReader<FieldType>::complaint(const word& timeName) const
 }
 
 template<class FieldType>
-tmp<FieldType> FieldReader<FieldType>::get() const
+tmp<FieldType> FieldReader<FieldType>::get(const Exchange& exchange) const
 {
     return inMemory() ? tmp<FieldType>(mesh_.lookupObject<FieldType>(name_))
-                      : read(mesh_.time().timeName());
+                      : read(mesh_.time().timeName(), exchange);
 }
 
 template<class FieldType>
-tmp<FieldType> FieldReader<FieldType>::read(const word& timeName) const
+tmp<FieldType>
+FieldReader<FieldType>::read(const word& timeName, const Exchange& exchange) const
 {
     tmp<FieldType> field;
-    const std::string failure =
+    const std::string here =
         failureOf([&] { field = tmp<FieldType>(new FieldType(at(timeName), mesh_)); });
+    // Reading again may be collective, so that all ranks do it or none.
+    exchange.meet();
+    const std::string failure = exchange.firstNonEmpty(here);
     if (failure.empty())
     {
         return field;
@@ -161,10 +165,15 @@ tmp<FieldType> FieldReader<FieldType>::read(const word& timeName) const
             "Field " + name_ + " of time " + timeName + " cannot be read: " + failure
         );
     }
+    if (toldConditions_)
+    {
+        return field;
+    }
+    toldConditions_ = true;
     Info << "interfaceStability: a boundary condition of field " << name_ << " of time "
          << timeName << " cannot be made (" << failure.c_str()
-         << "): the values of the patches are taken, or those of the cells" << nl
-         << endl;
+         << "): the values of the patches are taken, or those of the cells. Told once."
+         << nl << endl;
     return field;
 }
 

@@ -114,16 +114,23 @@ findControlsDict(const Time& runTime, const fileName& option, const word& region
             IOobject::NO_WRITE, false
         );
     };
+    // What the master finds holds for all ranks.
+    const auto isThere = [](const IOobject& io)
+    {
+        bool found = Pstream::master() && isFile(io.objectPath());
+        Pstream::scatter(found);
+        return found;
+    };
     IOobject io(at(region));
     if (!option.empty())
     {
         io = IOobject::selectIO(at(fileName::null), option);
     }
-    else if (!region.empty() && !isFile(io.objectPath()))
+    else if (!region.empty() && !isThere(io))
     {
         io = at(fileName::null);
     }
-    if (option.empty() && !isFile(io.objectPath()))
+    if (option.empty() && !isThere(io))
     {
         Info << "No " << runTime.system() / io.local() / dictName
              << ": every entry has its default." << nl << endl;

@@ -21,9 +21,9 @@ const fvMesh& meshOf(const Time& runTime, const dictionary& dict)
 {
     word region(polyMesh::defaultRegion);
     failureOf([&] { region = readName(dict, "region"); });
-    const auto* mesh = runTime.findObject<fvMesh>(region);
-    return mesh ? *mesh
-                : runTime.lookupObject<fvMesh>(runTime.sortedNames<fvMesh>()[0]);
+    const wordList meshes(runTime.sortedNames<fvMesh>());
+    const bool other = !meshes.empty() && !meshes.found(region);
+    return runTime.lookupObject<fvMesh>(other ? meshes.first() : region);
 }
 
 void checkRegion(const fvMesh& mesh, const dictionary& dict)
@@ -76,7 +76,8 @@ void checkFields(const fvMesh& mesh, const CaseOptions& options, const dictionar
         return;
     }
     std::string mistake;
-    failureOf( // whose text, on a lack of memory and the like, the analysis will tell
+    // Other failures, as a lack of memory, are told when the analysis starts.
+    failureOf(
         [&]
         {
             try

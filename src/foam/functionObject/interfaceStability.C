@@ -9,6 +9,7 @@
 #include "fvMesh.H"
 
 #include <stdexcept>
+#include <string>
 
 namespace Foam
 {
@@ -268,14 +269,27 @@ bool interfaceStability::write()
 bool interfaceStability::end()
 {
     finish();
-    if (postProcess && ready() && (disabled_ || !session_))
+    if (postProcess && ready())
     {
+        const label n = session_ ? session_->nClassified() : 0;
+        std::string failure;
+        if (disabled_ || (!session_ && nFailures_ > 0))
+        {
+            failure = "the analysis broke off; a warning above says why.";
+        }
+        else if (n < 2)
+        {
+            failure = "times with all fields among those selected: " + std::to_string(n)
+                      + "; the analysis compares consecutive times and needs at least "
+                        "two.";
+        }
         stability::exitOnFailure(
             [&]
             {
-                throw std::runtime_error(
-                    name() + ": the analysis broke off; a warning above says why."
-                );
+                if (!failure.empty())
+                {
+                    throw std::runtime_error(name() + ": " + failure);
+                }
             }
         );
     }
@@ -289,11 +303,6 @@ void interfaceStability::finish()
         return;
     }
     finished_ = true;
-    if (postProcess && session_ && session_->nClassified() < 2)
-    {
-        Warning << type() << ' ' << name() << ": one time was selected; the analysis "
-                << "compares consecutive times and needs at least two." << endl;
-    }
     guarded([&] { session_->complete(); });
     if (log)
     {

@@ -42,6 +42,14 @@ bool isListed(const fileName& folder)
     return isThere(folder / listName);
 }
 
+// Names of files and folders of the set lie in its folder itself: a list that was
+// damaged leads nowhere else.
+bool isResultName(const std::string& name)
+{
+    return !name.empty() && name[0] != '#' && name[0] != '.'
+           && name.find('/') >= name.size() - 1;
+}
+
 // A last line that was cut off names a file that was not written any more.
 FileList readList(const fileName& folder)
 {
@@ -54,7 +62,7 @@ FileList readList(const fileName& folder)
     for (std::string line; std::getline(file, line) && !file.eof();)
     {
         list.complete = list.complete || line == lastLine;
-        if (!line.empty() && line[0] != '#')
+        if (isResultName(line))
         {
             list.names.push_back(line);
         }
@@ -143,8 +151,8 @@ std::vector<std::string> namesWithoutList(const fileName& folder)
     return names;
 }
 
-// Writes the list that is lacking.
-void listUnlisted(const fileName& folder)
+// Writes the list that is lacking, and returns whether there is something to be listed.
+bool listUnlisted(const fileName& folder, bool complete)
 {
     const std::vector<std::string> names(namesWithoutList(folder));
     if (!names.empty())
@@ -154,8 +162,9 @@ void listUnlisted(const fileName& folder)
         {
             text += name + '\n';
         }
-        replaceFile(folder / listName, text + lastLine + '\n');
+        replaceFile(folder / listName, complete ? text + lastLine + '\n' : text);
     }
+    return !names.empty();
 }
 
 void removeSet(const fileName& folder)
@@ -190,7 +199,8 @@ void ResultSet::begin() const
     makeFolders(folder_);
     if (!isListed(folder_) && !isListed(aside_))
     {
-        listUnlisted(folder_);
+        const bool brokeOff = listUnlisted(aside_, true);
+        listUnlisted(folder_, !brokeOff);
     }
     if (isListed(aside_) && readList(folder_).complete)
     {

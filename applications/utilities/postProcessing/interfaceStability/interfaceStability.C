@@ -85,27 +85,37 @@ fileName analyse(
     const word name(
         method.name.empty() ? folderName : word(folderName + '_' + method.name)
     );
-    fileName results;
+    fileName results, compared;
     stability::AnalysisSession session(
         mesh, method.controls, resultFolder(mesh, name), stability::FieldSource::disk
     );
     const instantList times(session.select(selected));
+    const stability::RankMessages messages;
     forAll(times, timei)
     {
         runTime.setTime(times[timei], timei);
+        stability::checkMeshTimes(mesh, messages);
         const polyMesh::readUpdateState state = mesh.readUpdate();
         if (state != polyMesh::UNCHANGED)
         {
             session.meshChanged(state != polyMesh::POINTS_MOVED);
         }
-        results = timei == 0 ? session.resultPath() : results;
+        if (timei == 0)
+        {
+            results = session.resultPath();
+            compared = results.path().path() / folderName / results.name();
+            if (!method.name.empty())
+            {
+                stability::MethodComparison::prepare(compared, messages);
+            }
+        }
         session.advance();
         session.classify();
         session.writeFiles();
         score.add(session.statistics());
     }
     session.complete();
-    return results.path().path() / folderName / results.name();
+    return compared;
 }
 
 // All methods of the dictionary over the selected times.
@@ -127,6 +137,7 @@ void analyseAll(const argList& args)
     ));
     const std::vector<stability::Method> methods(stability::readMethods(dict));
     const word region(args.get<word>("region", stability::readName(dict, "region")));
+    stability::checkMeshFiles(runTime, region);
     fvMesh mesh(IOobject(region, runTime.timeName(), runTime, IOobject::MUST_READ));
 
     stability::MethodComparison comparison;
