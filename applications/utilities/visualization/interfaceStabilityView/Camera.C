@@ -2,8 +2,9 @@
 
 #include "Camera.H"
 
+#include "VectorOperators.H"
+
 #include <vtkMath.h>
-#include <vtkVectorOperators.h>
 
 #include <algorithm>
 #include <cmath>

@@ -158,7 +158,7 @@ Legend::addText(const std::string& text, double x, double y, double fontSize)
     actor->GetTextProperty()->SetFontFamilyToArial();
     actor->GetTextProperty()->SetFontSize(int(std::lround(fontSize * unit_)));
     paint(*actor->GetTextProperty(), colours::text);
-    renderer_->AddActor2D(actor);
+    renderer_->AddViewProp(actor);
     return actor;
 }
 

@@ -3,6 +3,7 @@
 #include "Section.H"
 
 #include "Surface.H"
+#include "VectorOperators.H"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -16,7 +17,6 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkPolygon.h>
 #include <vtkProperty.h>
-#include <vtkVectorOperators.h>
 
 #include <cmath>
 #include <vector>

@@ -4,6 +4,7 @@
 
 #include "Colours.H"
 #include "Messages.H"
+#include "VectorOperators.H"
 
 #include "vtk/PolyDataCheck.H"
 #include "vtk/Trial.H"
@@ -21,7 +22,6 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkShaderProperty.h>
-#include <vtkVectorOperators.h>
 #include <vtkXMLPPolyDataReader.h>
 #include <vtkXMLPolyDataReader.h>
 
@@ -141,7 +141,8 @@ vtkSmartPointer<vtkTexture> readTexture(const std::filesystem::path& path)
     // black of attached triangles stays clean: their texture coordinates are constant.
     texture->MipmapOn();
     texture->SetMaximumAnisotropicFiltering(8);
-    texture->SetWrap(vtkTexture::ClampToEdge);
+    texture->RepeatOff();
+    texture->EdgeClampOn();
     return texture;
 }
 

@@ -2,10 +2,15 @@
 
 // CGAL comes before OpenFOAM's headers, which make sqrt(double) ambiguous.
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
+#include <CGAL/version.h>
+#if CGAL_VERSION_NR < CGAL_VERSION_NUMBER(6, 0, 0)
+#include <CGAL/AABB_traits.h>
+#else
+#include <CGAL/AABB_traits_3.h>
+#endif
 
 #include "core/parametrization/cgal/CgalScope.H"
 #include "core/parametrization/cgal/SurfaceMesh.H"
@@ -141,7 +146,12 @@ Vertex nearestCorner(
 }
 
 using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+#if CGAL_VERSION_NR < CGAL_VERSION_NUMBER(6, 0, 0)
+using TreeTraits = CGAL::AABB_traits<Kernel, Primitive>;
+#else
+using TreeTraits = CGAL::AABB_traits_3<Kernel, Primitive>;
+#endif
+using Tree = CGAL::AABB_tree<TreeTraits>;
 
 scalar largestSquaredDistance(const Mesh& from, const Tree& to)
 {
