@@ -120,7 +120,7 @@ void AnalysisSession::prepareResults()
         );
         series_ = std::make_unique<ResultSeries>(
             path_, folder_ ? &folder_->files() : nullptr, controls_.surfaceParts,
-            snapshots_->section(), messages_
+            controls_.parameterSpace, snapshots_->section(), messages_
         );
     }
 }

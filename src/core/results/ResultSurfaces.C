@@ -290,10 +290,13 @@ ResultSurface particleCloud(const UList<InstabilityParticle>& all, scalar time)
 
 void moveIntoMesh(ResultSurface& surface, const PlaneSection& section)
 {
-    surface.sectionNormal = section.normal;
-    for (point& x : surface.points)
+    if (!surface.inParameterSpace)
     {
-        x = section.inMesh(x);
+        surface.sectionNormal = section.normal;
+        for (point& x : surface.points)
+        {
+            x = section.inMesh(x);
+        }
     }
     for (PointArray& array : surface.arrays)
     {

@@ -98,6 +98,7 @@ Controls readControls(const dictionary& dict, Caller caller)
     controls.surfaceInterval = readNumber<label>(dict, "surfaceInterval");
     controls.particleInterval = readNumber<label>(dict, "particleInterval");
     controls.surfaceParts = readEnum(dict, "surfaceParts", surfacePartsNames());
+    controls.parameterSpace = readSwitch(dict, "parameterSpace");
     controls.writeToFile = readSwitch(dict, "writeToFile");
     controls.classify = readClassify(dict);
     controls.onError = readEnum(dict, "onError", onErrorNames());

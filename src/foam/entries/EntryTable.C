@@ -152,6 +152,8 @@ EntryRows outputRows()
          "the same for the particles"},
         {"surfaceParts", "whole", choice(surfacePartsNames()), general,
          "one file of a surface, or one from each process"},
+        {"parameterSpace", "no", yesNo(), general,
+         "the interface is written laid out by its parameters, too"},
     };
 }
 

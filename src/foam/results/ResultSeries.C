@@ -4,6 +4,7 @@
 
 #include "core/base/FileOperations.H"
 #include "core/base/FileReplacement.H"
+#include "core/results/ParameterSpace.H"
 #include "core/surface/pieces/PointNumbers.H"
 #include "foam/vtk/VtkLibrary.H"
 #include "sigFpe.H"
@@ -53,10 +54,11 @@ std::string pieceOf(const std::string& name, label ranki)
 
 ResultSeries::ResultSeries(
     const fileName& folder, const ResultSet* files, SurfaceParts parts,
-    const std::optional<PlaneSection>& section, const Exchange& exchange
+    bool parameterSpace, const std::optional<PlaneSection>& section,
+    const Exchange& exchange
 )
-    : folder_(folder), files_(files), parts_(parts), section_(section),
-      exchange_(exchange)
+    : folder_(folder), files_(files), parts_(parts), parameterSpace_(parameterSpace),
+      section_(section), exchange_(exchange)
 {
 }
 
@@ -200,6 +202,14 @@ void ResultSeries::writeSurfaces(const Classification& c)
     };
     write(interfaces_, c.interface, interfaceSurface);
     write(timeSurfaces_, c.timeSurface, timeSurface);
+    if (parameterSpace_)
+    {
+        write(
+            parameterSpaces_, c.interface,
+            [](const auto&... interface)
+            { return parameterSpace(interfaceSurface(interface...)); }
+        );
+    }
 }
 
 void ResultSeries::writeParticles(

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "core/results/ParameterSpace.H"
 #include "core/results/ResultSurfaces.H"
 #include "core/StabilityTracker.H"
 #include "core/parametrization/ChartPacking.H"
@@ -188,4 +189,37 @@ TEST(ResultSurfaces, emptySurfacesHaveAllArrays)
     EXPECT_EQ(surface.arrays.size(), 15u);
     const ResultSurface cloud(particleCloud(List<InstabilityParticle>(), 0.3));
     EXPECT_EQ(cloud.arrays.size(), 11u);
+}
+
+// The triangles with p at all corners, each point where its p is.
+TEST(ResultSurfaces, parameterSpaceLaysTheInterfaceOut)
+{
+    const ResultSurface flat(parameterSpace(interfaceSurface(seamed().interface, 0.75))
+    );
+    EXPECT_EQ(flat.time, 0.75);
+    ASSERT_EQ(flat.triangles.size(), 3);
+    ASSERT_EQ(flat.points.size(), 7);
+    const PointArray& parameter = arrayOf(flat, "parameter");
+    const PointArray& vertex = arrayOf(flat, "vertex");
+    const PointArray& origin = arrayOf(flat, "origin");
+    forAll(flat.points, i)
+    {
+        EXPECT_EQ(
+            flat.points[i],
+            point(parameter.values[2 * i], parameter.values[2 * i + 1], 0)
+        );
+    }
+    // Point 2 lies on both sides of the seam, with its own origin on the right.
+    const triFace& left = flat.triangles[0];
+    const triFace& right = flat.triangles[2];
+    EXPECT_EQ(vertex.values[left[1]], 2);
+    EXPECT_EQ(vertex.values[right[0]], 2);
+    EXPECT_NEAR(flat.points[left[1]].x(), 0.2, 1e-15);
+    EXPECT_NEAR(flat.points[right[0]].x(), 0.4, 1e-15);
+    EXPECT_EQ(origin.values[3 * right[0]], -7);
+    for (const PointArray& array : flat.arrays)
+    {
+        EXPECT_EQ(array.values.size(), std::size_t(7 * array.nComponents))
+            << array.name;
+    }
 }
