@@ -6,6 +6,7 @@
 #include "foam/entries/EntryReaders.H"
 #include "foam/entries/ReconstructionControls.H"
 #include "foam/errors/IncludeLimit.H"
+#include "foam/ranks/RankMessages.H"
 #include "IOdictionary.H"
 #include "OSspecific.H"
 
@@ -118,9 +119,10 @@ findControlsDict(const Time& runTime, const fileName& option, const word& region
     // What the master finds holds for all ranks.
     const auto isThere = [](const IOobject& io)
     {
-        bool found = Pstream::master() && isFile(io.objectPath());
-        Pstream::scatter(found);
-        return found;
+        const RankMessages messages;
+        Packet found;
+        found.put(label(messages.isMaster() && isFile(io.objectPath())));
+        return messages.fromMaster(found).get<label>() != 0;
     };
     IOobject io(at(region));
     if (!option.empty())
