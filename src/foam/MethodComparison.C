@@ -2,11 +2,10 @@
 
 #include "foam/MethodComparison.H"
 
-#include "core/base/Errors.H"
 #include "core/base/FileOperations.H"
+#include "foam/results/ResultSet.H"
 #include "foam/results/ResultTable.H"
 
-#include <fstream>
 #include <iomanip>
 #include <sstream>
 
@@ -21,16 +20,9 @@ void MethodComparison::prepare(const fileName& folder, const Exchange& exchange)
         {
             makeFolders(folder);
             const fileName file(folder / methodTable().file);
-            std::string firstLine;
-            std::ifstream table(file);
-            std::getline(table, firstLine);
-            if (isThere(file) && firstLine.rfind("# interfaceStability", 0) != 0)
+            if (isThere(file) && !isOwnTable(file))
             {
-                throw BadInput(
-                    "The file " + file
-                    + " is in the way of results, and interfaceStability did not write "
-                      "it: move it away."
-                );
+                refuseInTheWay(file);
             }
         }
     );

@@ -124,10 +124,7 @@ void removeEmptyFolders(const fileName& folder, const std::vector<std::string>& 
 // with a table of ours.
 std::vector<std::string> namesWithoutList(const fileName& folder)
 {
-    std::string firstLine;
-    std::ifstream table(folder / stabilityTable().file);
-    std::getline(table, firstLine);
-    if (firstLine.rfind("# interfaceStability", 0) != 0)
+    if (!isOwnTable(folder / stabilityTable().file))
     {
         return {};
     }
@@ -178,7 +175,17 @@ void removeSet(const fileName& folder)
     removeFile(folder / listName);
 }
 
-[[noreturn]] void refuse(const fileName& file)
+} // namespace
+
+bool isOwnTable(const fileName& file)
+{
+    std::string firstLine;
+    std::ifstream table(file);
+    std::getline(table, firstLine);
+    return firstLine.rfind("# interfaceStability", 0) == 0;
+}
+
+void refuseInTheWay(const fileName& file)
 {
     throw BadInput(
         "The file " + file
@@ -186,8 +193,6 @@ void removeSet(const fileName& folder)
           "away."
     );
 }
-
-} // namespace
 
 ResultSet::ResultSet(const fileName& folder)
     : folder_(folder), aside_(folder / "previous")
@@ -230,7 +235,7 @@ void ResultSet::putAside() const
     {
         if (isThere(aside_ / name) && !isSameFile(folder_ / name, aside_ / name))
         {
-            refuse(aside_ / name);
+            refuseInTheWay(aside_ / name);
         }
     }
     makeFolders(aside_);
@@ -266,7 +271,7 @@ void ResultSet::add(const std::string& name) const
     const std::vector<std::string> files(filesOf(folder_, {name}));
     if (!files.empty())
     {
-        refuse(folder_ / files.front());
+        refuseInTheWay(folder_ / files.front());
     }
     appendToFile(folder_ / listName, name + '\n');
 }
